@@ -1,0 +1,74 @@
+#include "race/race.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace race
+{
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_of(const Entrant& entrant, std::size_t repetitions)
+{
+  const auto start = Clock::now();
+  for (std::size_t i = 0; i < repetitions; ++i)
+    entrant.run();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Doubles the repetitions until they last for a turn; this warms the caches too.
+std::size_t repetitions_for(const Entrant& entrant, double seconds)
+{
+  std::size_t repetitions = 1;
+  while (seconds_of(entrant, repetitions) < seconds && repetitions < (std::size_t{1} << 40))
+    repetitions *= 2;
+  return repetitions;
+}
+
+double median(std::vector<double> x)
+{
+  std::sort(x.begin(), x.end());
+  const std::size_t half = x.size() / 2;
+  return x.size() % 2 == 1 ? x[half] : (x[half - 1] + x[half]) / 2;
+}
+
+} // namespace
+
+std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
+{
+  if (options.rounds < 1)
+    throw std::invalid_argument("race: at least one round is needed");
+  std::vector<std::size_t> repetitions;
+  for (const Entrant& entrant : entrants)
+  {
+    if (entrant.evaluations == 0 || !entrant.run)
+      throw std::invalid_argument("race: " + entrant.name + " has nothing to run");
+    repetitions.push_back(repetitions_for(entrant, options.seconds_per_turn));
+  }
+
+  const std::size_t n = entrants.size();
+  std::vector<std::vector<double>> times(n);
+  for (std::size_t round = 0; round < static_cast<std::size_t>(options.rounds); ++round)
+    for (std::size_t turn = 0; turn < n; ++turn)
+    {
+      const std::size_t i = (round + turn) % n;
+      const double evaluations = static_cast<double>(repetitions[i]) * static_cast<double>(entrants[i].evaluations);
+      times[i].push_back(seconds_of(entrants[i], repetitions[i]) / evaluations);
+    }
+
+  std::vector<Timing> timings;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    std::vector<double> ratios;
+    for (std::size_t round = 0; round < times[i].size(); ++round)
+      ratios.push_back(times[i][round] / times[0][round]);
+    timings.push_back({entrants[i].name, median(times[i]), *std::min_element(times[i].begin(), times[i].end()),
+                       median(ratios)});
+  }
+  return timings;
+}
+
+} // namespace race
