@@ -1,0 +1,82 @@
+/// @file
+/// Comparisons that state how close, and why no closer: the only ones that the edition's checks use for real numbers.
+#pragma once
+
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "exact/fifty.hpp"
+#include "exact/rational.hpp"
+
+namespace edition
+{
+
+using exact::Fifty;
+using exact::Rational;
+
+/// What a real number is expected to be, how far it may be off, and the reason for that much.
+/// Made by within_ulps(), within(), within_relative(), between() and printed(); compared by `==`.
+class Expectation
+{
+public:
+  /// An interval around `expected`, closed; `tolerance` is how the reader is told of its width.
+  Expectation(Fifty expected, Fifty lowest, Fifty highest, std::string tolerance, std::string because);
+
+  /// True when `got` is a number and lies in the interval. Remembers the comparison for the ledger of claims.
+  bool holds(const Fifty& got, int digits) const;
+
+  /// The expectation in words: number, tolerance, reason.
+  std::string text() const;
+
+private:
+  Fifty expected_;
+  Fifty lowest_;
+  Fifty highest_;
+  std::string tolerance_;
+  std::string because_;
+};
+
+/// At most `n` units in the last place of the double nearest to `y`. Precondition: y finite, n ≥ 0.
+Expectation within_ulps(const Fifty& y, double n, const char* because);
+/// At most `eps` away from `y`.
+Expectation within(const Fifty& y, double eps, const char* because);
+/// At most `eps`·|y| away from `y`.
+Expectation within_relative(const Fifty& y, double eps, const char* because);
+/// From `lo` to `hi`, both included.
+Expectation between(const Fifty& lo, const Fifty& hi, const char* because);
+/// Rounds to what is printed: at most half a unit of its last place away. `number` is a decimal with comma or point,
+/// for instance "1,1803"; anything else throws std::invalid_argument.
+Expectation printed(const char* number);
+
+inline bool operator==(double got, const Expectation& e) { return e.holds(got, 17); }
+inline bool operator==(const Fifty& got, const Expectation& e) { return e.holds(got, 30); }
+
+/// For doctest's messages.
+doctest::String toString(const Expectation& e);
+
+/// A comparison as it was made: what the ledger of claims keeps of a check.
+struct Claim
+{
+  std::string got;
+  std::string expected;
+  std::string tolerance;
+  std::string because;
+};
+
+/// The comparison made last in this thread, handed out once; empty strings where none was made since.
+Claim take_last_claim();
+
+}  // namespace edition
+
+/// Fifty and Rational in doctest's messages.
+template <>
+struct doctest::StringMaker<exact::Fifty>
+{
+  static doctest::String convert(const exact::Fifty& x) { return x.str(30).c_str(); }
+};
+template <>
+struct doctest::StringMaker<exact::Rational>
+{
+  static doctest::String convert(const exact::Rational& x) { return x.str().c_str(); }
+};

@@ -1,0 +1,144 @@
+// A section's program: its command line, and what it answers.
+
+#include <cstdio>
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "edition/registry.hpp"
+
+namespace
+{
+
+using namespace edition;
+
+/// What the reader asks of the program.
+struct Request
+{
+  bool json = false;
+  bool check = false;
+  bool bench = false;
+  std::string data;
+  std::map<std::string, std::vector<std::string>> given;  ///< Parameter name to what was written for it.
+  std::vector<std::string> for_doctest;
+  std::string answer;  ///< Set when --help or --version is all there is to say.
+};
+
+std::string option_help(const ParameterEntry& p)
+{
+  return fmt::format("{} (default {}{}; {})", p.meaning, show(p.default_shown, 12), p.unit.symbol, allowed(p));
+}
+
+Request parse(Section& s, std::vector<std::string> arguments)
+{
+  Request r;
+  if(const auto dashes = std::find(arguments.begin(), arguments.end(), "--"); dashes != arguments.end())
+  {
+    r.for_doctest.assign(dashes + 1, arguments.end());
+    arguments.erase(dashes, arguments.end());
+  }
+  CLI::App app{fmt::format("{} §{}. {}", s.chapter, s.number, s.title), s.program()};
+  app.set_help_flag("--help", "say this and end");
+  app.set_version_flag("--version", fmt::format("{} (Euler on Oscillation {})", s.program(), EDITION_VERSION));
+  for(const ParameterEntry& p : s.parameters)
+    app.add_option("--" + p.name, r.given[p.name], option_help(p))
+        ->type_name(*p.unit.symbol ? p.unit.symbol : "NUMBER")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
+  app.add_flag("--json", r.json, "tell it, or the checks, or the races, to machines");
+  app.add_flag("--check", r.check, "run the checks; what follows -- goes to doctest; exit status 1 when one fails");
+  app.add_flag("--bench", r.bench, "time the several ways to one number against each other");
+  app.add_option("--data", r.data, "write the figures' data into this folder")->type_name("DIR");
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector from its end
+  try
+  {
+    app.parse(arguments);
+  }
+  catch(const CLI::CallForHelp&)
+  {
+    r.answer = app.help();
+  }
+  catch(const CLI::CallForVersion& version)
+  {
+    r.answer = std::string(version.what()) + '\n';
+  }
+  catch(const CLI::ParseError& e)
+  {
+    std::string fault = e.what();
+    std::replace(fault.begin(), fault.end(), '\n', ' ');
+    throw BadInput(fmt::format("{}; allowed: what --help lists", fault));
+  }
+  if(!r.for_doctest.empty() && !r.check)
+    throw BadInput(fmt::format("-- \"{}\": arguments for doctest without --check", r.for_doctest.front()));
+  if(r.check + r.bench + !r.data.empty() > 1)
+    throw BadInput("--check, --bench, --data: more than one given; allowed: one of them");
+  return r;
+}
+
+void take_parameters(Section& s, const Request& r)
+{
+  for(ParameterEntry& p : s.parameters)
+  {
+    const std::vector<std::string>& given = r.given.at(p.name);
+    if(given.size() > 1)
+      throw BadInput(fmt::format("--{}: given {} times (\"{}\"); allowed: once", p.name, given.size(),
+                                 fmt::join(given, "\", \"")));
+    if(!given.empty())
+      set_parameter(p, given.front());
+  }
+  reconcile_amplitude(s);
+}
+
+/// All of `text`, or an exception: standard output may be a full disk.
+void say(const std::string& text)
+{
+  if(std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw std::runtime_error("cannot write to standard output");
+}
+
+int answer(Section& s, const std::vector<std::string>& arguments)
+{
+  const Request r = parse(s, arguments);
+  if(!r.answer.empty())
+  {
+    say(r.answer);
+    return 0;
+  }
+  take_parameters(s, r);
+  if(r.check)
+  {
+    const CheckResult result = run_checks(s, r.for_doctest, r.json);
+    say(result.report);
+    return result.passed ? 0 : 1;
+  }
+  s.wanted = {!r.data.empty(), r.bench};
+  s.tell();
+  if(s.wanted.data)
+    say(write_data(s, r.data));
+  else
+    say(r.json ? as_json(s) : r.bench ? races_as_text(s) : as_text(s));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  Section& s = section();
+  const auto complain = [&s](const std::exception& e) { fmt::print(stderr, "{}: {}\n", s.program(), e.what()); };
+  try
+  {
+    return answer(s, {argv + 1, argv + argc});
+  }
+  catch(const BadInput& e)
+  {
+    complain(e);
+    return 2;
+  }
+  catch(const std::exception& e)
+  {
+    complain(e);
+    return 1;
+  }
+}
