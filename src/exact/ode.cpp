@@ -1,0 +1,161 @@
+#include "exact/ode.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace exact {
+namespace {
+
+using std::size_t;
+
+// a + h b
+State along(const State& a, const Fifty& h, const State& b)
+{
+  State sum = a;
+  for (size_t i = 0; i < sum.size(); ++i) {
+    sum[i] += h * b[i];
+  }
+  return sum;
+}
+
+// The greatest difference, absolute where |y| < 1, else relative.
+Fifty distance(const State& x, const State& y)
+{
+  Fifty greatest;
+  for (size_t i = 0; i < x.size(); ++i) {
+    greatest = std::max(greatest, abs(x[i] - y[i]) / std::max(Fifty(1), abs(y[i])));
+  }
+  return greatest;
+}
+
+class Extrapolation {
+public:
+  Extrapolation(const RightSide& f, size_t columns) : f_(f), columns_(columns) {}
+
+  State run(Fifty t, State y, const Fifty& t1, const Fifty& tolerance);
+  int evaluations = 0;
+
+private:
+  State slope(const Fifty& t, const State& y);
+  State midpoint(const Fifty& t, const State& y, const State& slope0, const Fifty& step, int parts);
+  Fifty extrapolate(const Fifty& t, const State& y, const Fifty& step, State& result);
+
+  const RightSide& f_;
+  size_t columns_;
+};
+
+State Extrapolation::slope(const Fifty& t, const State& y)
+{
+  ++evaluations;
+  State result = f_(t, y);
+  if (result.size() != y.size()) {
+    throw std::invalid_argument("the right-hand side has not as many components as the state");
+  }
+  for (const Fifty& component : result) {
+    if (!isfinite(component)) {
+      throw std::runtime_error("the right-hand side is not finite at t = " + t.str(20));
+    }
+  }
+  return result;
+}
+
+// Gragg's rule: its error is a series in even powers of step/parts, parts even.
+State Extrapolation::midpoint(const Fifty& t, const State& y, const State& slope0, const Fifty& step, int parts)
+{
+  const Fifty h = step / parts;
+  State before = y;
+  State now = along(y, h, slope0);
+  for (int i = 1; i < parts; ++i) {
+    State next = along(before, 2 * h, slope(t + i * h, now));
+    before = std::move(now);
+    now = std::move(next);
+  }
+  return now;
+}
+
+// The step with all columns in `result`; the answer is how far the last two columns differ.
+Fifty Extrapolation::extrapolate(const Fifty& t, const State& y, const Fifty& step, State& result)
+{
+  const State slope0 = slope(t, y);
+  std::vector<State> row;
+  for (size_t j = 0; j < columns_; ++j) {
+    const int parts = 2 * static_cast<int>(j + 1);
+    State value = midpoint(t, y, slope0, step, parts);
+    for (size_t k = 0; k < j; ++k) {  // Aitken and Neville: row[k] used j - k - 1 rules up to j, value those and j
+      const Fifty ratio = Fifty(parts) / (2 * static_cast<int>(j - k));
+      State better = value;
+      for (size_t i = 0; i < better.size(); ++i) {
+        better[i] += (value[i] - row[k][i]) / (ratio * ratio - 1);
+      }
+      row[k] = std::move(value);
+      value = std::move(better);
+    }
+    row.push_back(std::move(value));
+  }
+  result = row[columns_ - 1];
+  return distance(row[columns_ - 2], result);
+}
+
+State Extrapolation::run(Fifty t, State y, const Fifty& t1, const Fifty& tolerance)
+{
+  constexpr int most_steps = 100'000;
+  const Fifty whole = t1 - t;
+  const double order = 2.0 * static_cast<double>(columns_) - 1;
+  Fifty step = whole;
+  for (int steps = 0; t != t1; ++steps) {
+    const bool last = abs(step) >= abs(t1 - t);
+    if (last) {
+      step = t1 - t;
+    }
+    State next;
+    const Fifty error = extrapolate(t, y, step, next);
+    if (error <= tolerance) {
+      t = last ? t1 : t + step;
+      y = std::move(next);
+    }
+    const double ratio = std::max(static_cast<double>(error / tolerance), 1e-30);
+    step *= std::clamp(0.8 * std::pow(ratio, -1 / order), 0.1, 3.0);
+    if (steps == most_steps || abs(step) < abs(whole) * Fifty("1e-30")) {
+      throw std::runtime_error("the integration cannot pass t = " + t.str(20));
+    }
+  }
+  return y;
+}
+
+}  // namespace
+
+Solution solve(const RightSide& f, const Fifty& t0, const State& y0, const Fifty& t1, const Fifty& tolerance)
+{
+  if (!(tolerance >= Fifty("1e-44") && tolerance <= Fifty("1e-3"))) {
+    throw std::invalid_argument("the tolerance must lie between 1e-44 and 1e-3, not at " + tolerance.str(3));
+  }
+  const bool finite = std::all_of(y0.begin(), y0.end(), [](const Fifty& y) { return isfinite(y); });
+  if (!finite || !isfinite(t0) || !isfinite(t1)) {
+    throw std::invalid_argument("the start or the end of the integration is not finite");
+  }
+  // About half a column for each digit is the cheapest.
+  const auto columns = static_cast<size_t>(std::ceil(4 - std::log10(static_cast<double>(tolerance)) / 2.5));
+  Extrapolation first(f, columns);
+  Extrapolation second(f, columns + 2);
+  const State rough = first.run(t0, y0, t1, tolerance);
+  Solution result;
+  result.y = second.run(t0, y0, t1, tolerance / 1000);
+  result.error = distance(rough, result.y);
+  result.evaluations = first.evaluations + second.evaluations;
+  return result;
+}
+
+std::vector<Solution> solve(const RightSide& f, const Fifty& t0, const State& y0, const std::vector<Fifty>& times,
+                            const Fifty& tolerance)
+{
+  std::vector<Solution> results;
+  for (const Fifty& t1 : times) {
+    const bool first = results.empty();
+    results.push_back(solve(f, first ? t0 : times[results.size() - 1], first ? y0 : results.back().y, t1, tolerance));
+  }
+  return results;
+}
+
+}  // namespace exact
