@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <gsl/gsl_errno.h>
 
 #include "edition/registry.hpp"
 
@@ -27,7 +28,16 @@ struct Request
 
 std::string option_help(const ParameterEntry& p)
 {
-  return fmt::format("{} (default {}{}; {})", p.meaning, show(p.default_shown, 12), p.unit.symbol, allowed(p));
+  return fmt::format("{} (default {}; {})", p.meaning, with_unit(show(p.default_shown, 12), p.unit), allowed(p));
+}
+
+/// What may follow an option on the command line.
+std::string allowed_for(const Section& s, const std::string& option)
+{
+  for(const ParameterEntry& p : s.parameters)
+    if("--" + p.name == option)
+      return allowed(p);
+  return "a folder";
 }
 
 Request parse(Section& s, std::vector<std::string> arguments)
@@ -43,13 +53,14 @@ Request parse(Section& s, std::vector<std::string> arguments)
   app.set_version_flag("--version", fmt::format("{} (Euler on Oscillation {})", s.program(), EDITION_VERSION));
   for(const ParameterEntry& p : s.parameters)
     app.add_option("--" + p.name, r.given[p.name], option_help(p))
-        ->type_name(*p.unit.symbol ? p.unit.symbol : "NUMBER")
+        ->type_name(p.type == ParameterEntry::Type::integer ? "WHOLE NUMBER" : "NUMBER")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
   app.add_flag("--json", r.json, "tell it, or the checks, or the races, to machines");
   app.add_flag("--check", r.check, "run the checks; what follows -- goes to doctest; exit status 1 when one fails");
   app.add_flag("--bench", r.bench, "time the several ways to one number against each other");
   app.add_option("--data", r.data, "write the figures' data into this folder")->type_name("DIR");
+  app.allow_extras();
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector from its end
   try
   {
@@ -63,12 +74,18 @@ Request parse(Section& s, std::vector<std::string> arguments)
   {
     r.answer = std::string(version.what()) + '\n';
   }
+  catch(const CLI::ArgumentMismatch& e)  // "--zeta: ...": its value is missing
+  {
+    const std::string option = std::string(e.what()).substr(0, std::string(e.what()).find(':'));
+    throw BadInput(fmt::format("{}: \"\" is no value; allowed: {}", option, allowed_for(s, option)));
+  }
   catch(const CLI::ParseError& e)
   {
-    std::string fault = e.what();
-    std::replace(fault.begin(), fault.end(), '\n', ' ');
-    throw BadInput(fmt::format("{}; allowed: what --help lists", fault));
+    throw BadInput(fmt::format("{}; allowed: what --help lists", e.what()));
   }
+  if(const auto unknown = app.remaining(); !unknown.empty())
+    throw BadInput(fmt::format("{}: \"{}\" is not known here; allowed: what --help lists",
+                               unknown.back().starts_with('-') ? "option" : "argument", unknown.back()));
   if(!r.for_doctest.empty() && !r.check)
     throw BadInput(fmt::format("-- \"{}\": arguments for doctest without --check", r.for_doctest.front()));
   if(r.check + r.bench + !r.data.empty() > 1)
@@ -113,7 +130,8 @@ int answer(Section& s, const std::vector<std::string>& arguments)
     return result.passed ? 0 : 1;
   }
   s.wanted = {!r.data.empty(), r.bench};
-  s.tell();
+  for(const auto tell_block : s.telling)
+    tell_block();
   if(s.wanted.data)
     say(write_data(s, r.data));
   else
@@ -125,6 +143,7 @@ int answer(Section& s, const std::vector<std::string>& arguments)
 
 int main(int argc, char** argv)
 {
+  gsl_set_error_handler_off();  // GSL's own handler ends the program; its functions' status and NaN say enough
   Section& s = section();
   const auto complain = [&s](const std::exception& e) { fmt::print(stderr, "{}: {}\n", s.program(), e.what()); };
   try

@@ -90,7 +90,7 @@ struct Section
   std::vector<ParameterEntry> parameters;
   std::vector<Entry> apparatus;
   bool has_amplitude = false;
-  void (*tell)() = nullptr;
+  std::vector<void (*)()> telling;  ///< The TELL blocks, in the file's order.
   Wanted wanted;
 
   std::vector<ToldValue> values;
@@ -116,6 +116,8 @@ void reconcile_amplitude(Section& s);
 
 /// A number with up to `digits` significant digits, as text and tables show it.
 std::string show(double x, int digits);
+/// A number with its unit behind it.
+std::string with_unit(std::string number, const Unit& unit);
 /// The entry's kind, as text and JSON call it.
 const char* name_of(Kind kind);
 

@@ -76,7 +76,7 @@ Identity::Identity(const char* chapter, int number, const char* title)
 
 Telling::Telling(void (*body)())
 {
-  section().tell = body;
+  section().telling.push_back(body);
 }
 
 template <>
@@ -165,7 +165,7 @@ void reconcile_amplitude(Section& s)
 std::string allowed(const ParameterEntry& p)
 {
   const auto end = [&](double x) {
-    return show(p.type == ParameterEntry::Type::angle ? tidy_degrees(x) : in_unit(x, p.unit), 12) + p.unit.symbol;
+    return with_unit(show(p.type == ParameterEntry::Type::angle ? tidy_degrees(x) : in_unit(x, p.unit), 12), p.unit);
   };
   const Range& r = p.range;
   if(p.type == ParameterEntry::Type::integer)
@@ -217,7 +217,7 @@ void require(bool possible, const char* parameter, const char* allowed_in_words)
   for(const ParameterEntry& p : section().parameters)
     if(p.name == parameter)
       throw BadInput(fmt::format("--{}: {} is not possible here; allowed: {}", p.name,
-                                 p.given.empty() ? show(p.shown, 12) + p.unit.symbol : '"' + p.given + '"',
+                                 p.given.empty() ? with_unit(show(p.shown, 12), p.unit) : '"' + p.given + '"',
                                  allowed_in_words));
   throw std::logic_error(fmt::format("require() names \"{}\", which is no parameter", parameter));
 }
@@ -328,6 +328,14 @@ const char* name_of(Kind kind)
 {
   constexpr std::array names{"erratum", "emendation", "doubtful", "undecided"};
   return names[static_cast<std::size_t>(kind)];
+}
+
+std::string with_unit(std::string number, const Unit& unit)
+{
+  const std::string symbol = unit.symbol;
+  if(!symbol.empty())
+    number += symbol == "°" ? symbol : " " + symbol;
+  return number;
 }
 
 std::string show(double x, int digits)

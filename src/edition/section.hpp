@@ -252,11 +252,14 @@ struct Telling
 /// Names the section that this file is.
 #define SECTION(chapter, number, title) static const edition::Identity edition_identity{#chapter, number, title};
 
-/// Opens the block in which the section says what it has to say.
-#define TELL                                           \
-  static void edition_tell();                          \
-  static const edition::Telling edition_telling{&edition_tell}; \
-  static void edition_tell()
+/// Opens a block in which the section says something. A section may have several, one idea each; they are told in their order.
+#define TELL EDITION_TELL(__COUNTER__)
+#define EDITION_TELL(count) EDITION_TELL_COUNTED(count)
+#define EDITION_TELL_COUNTED(count) EDITION_TELL_NAMED(edition_tell_##count, edition_telling_##count)
+#define EDITION_TELL_NAMED(body, registration)     \
+  static void body();                              \
+  static const edition::Telling registration{&body}; \
+  static void body()
 
 /// Opens a check: a doctest case whose name is a statement.
 #define CHECK_THAT(statement) TEST_CASE(statement)

@@ -32,14 +32,6 @@ std::string pad_left(const std::string& text, std::size_t to)
   return std::string(to - std::min(to, width(text)), ' ') + text;
 }
 
-std::string with_unit(std::string number, const Unit& unit)
-{
-  const std::string symbol = unit.symbol;
-  if(!symbol.empty())
-    number += symbol == "°" ? symbol : " " + symbol;
-  return number;
-}
-
 std::string capitalised(std::string word)
 {
   if(!word.empty() && word[0] >= 'a' && word[0] <= 'z')
