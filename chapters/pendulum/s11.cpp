@@ -1,9 +1,12 @@
 #include <gsl/gsl_sf_ellint.h>
 
 #include "edition/section.hpp"
+#include "pendulum/series.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 11, "The whole series, the semicircle, and the swing without end")
+
+using pendulum::ratio_by_mean, pendulum::series;
 
 /*!
 ## What Euler does
@@ -41,53 +44,25 @@ $$ \int_0^1 \frac{dz}{1-zz} = \tfrac12\,l\,\frac{1+z}{1-z}\;\Big|_{z=1} = \infty
 ## The program
 
 The coefficients are the squares of $a_n = \tfrac12\cdot\tfrac34\cdots\tfrac{2n-1}{2n}$, and each term is the last one times a
-fraction. The same few lines serve in double precision and in fifty digits.
-*/
+fraction. The same few lines serve in double precision and in fifty digits; {{sec pendulum.08}} derives them.
 
-template <class Real>
-Real series(Real cc, int terms)  // (1), with cc = d/2b
-{
-  Real sum = 0;
-  Real term = 1;
-  for(int n = 0; n < terms; ++n)
-  {
-    sum += term;
-    const Real a = Real(2 * n + 1) / Real(2 * n + 2);
-    term *= a * a * cc;
-  }
-  return sum;
-}
+::: code pendulum/series.hpp series
+:::
 
-/*!
 What it should sum to is known in another way, which Gauss found later: $T/\Theta = 1/M(1, \cos\tfrac12\zeta)$, where $M$ is the
 arithmetic-geometric mean. Here it is the judge. It takes $\cos\tfrac12\zeta$ as $\sin\tfrac12\eta$, with $\eta = 180° - \zeta$, because near
 the top the cosine of a rounded $\tfrac12\zeta$ has lost what matters.
-*/
 
-template <class Real>
-Real ratio_by_mean(Real eta)  // 0 < eta ≤ π
-{
-  using std::sin, std::sqrt;
-  Real a = 1;
-  Real g = sin(eta / 2);
-  for(Real gap = 1; a - g < gap && a > g;)  // until rounding stops it
-  {
-    gap = a - g;
-    const Real mean = (a + g) / 2;
-    g = sqrt(a * g);
-    a = mean;
-  }
-  return 1 / a;
-}
+::: code pendulum/series.hpp ratio_by_mean
+:::
 
-/*!
 And for the swing without end: the sum of $n$ terms of {{eq 3}} grows like a logarithm. These sums are
 today called Landau's constants, and the law of their growth is known.
 */
 
 const double landau_constant = static_cast<double>(exact::euler_gamma() + 4 * exact::ln2());
 
-double sum_at_the_top(double terms)  // (3), nearly, for many terms
+double sum_at_the_top(double terms)  // (3), nearly
 {
   return (std::log(terms - 0.25) + landau_constant) / std::numbers::pi;
 }

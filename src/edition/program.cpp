@@ -50,10 +50,11 @@ Request parse(Section& s, std::vector<std::string> arguments)
   }
   CLI::App app{fmt::format("{} §{}. {}", s.chapter, s.number, s.title), s.program()};
   app.set_help_flag("--help", "say this and end");
-  app.set_version_flag("--version", fmt::format("{} (Euler on Oscillation {})", s.program(), EDITION_VERSION));
+  app.set_version_flag("--version", fmt::format("{} (Euler on Oscillation {})", s.program(), EDITION_VERSION), "say which edition this is and end");
   for(const ParameterEntry& p : s.parameters)
     app.add_option("--" + p.name, r.given[p.name], option_help(p))
         ->type_name(p.type == ParameterEntry::Type::integer ? "WHOLE NUMBER" : "NUMBER")
+        ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
   app.add_flag("--json", r.json, "tell it, or the checks, or the races, to machines");
@@ -85,7 +86,7 @@ Request parse(Section& s, std::vector<std::string> arguments)
   }
   if(const auto unknown = app.remaining(); !unknown.empty())
     throw BadInput(fmt::format("{}: \"{}\" is not known here; allowed: what --help lists",
-                               unknown.back().starts_with('-') ? "option" : "argument", unknown.back()));
+                               unknown.front().starts_with('-') ? "option" : "argument", unknown.front()));
   if(!r.for_doctest.empty() && !r.check)
     throw BadInput(fmt::format("-- \"{}\": arguments for doctest without --check", r.for_doctest.front()));
   if(r.check + r.bench + !r.data.empty() > 1)
