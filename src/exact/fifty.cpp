@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 namespace exact {
 namespace {
@@ -27,6 +28,29 @@ using Quiet = policies::policy<policies::domain_error<policies::ignore_error>,
 Fifty nan() { return std::numeric_limits<double>::quiet_NaN(); }
 Fifty infinity() { return std::numeric_limits<double>::infinity(); }
 
+// Sign, digits with or without a point, exponent: no more than that. Boost alone would take "" and "0x1f" for numbers.
+bool is_decimal(std::string_view text)
+{
+  const auto skip_sign = [&] { text.remove_prefix(text.starts_with('+') || text.starts_with('-') ? 1 : 0); };
+  const auto skip_digits = [&] {
+    const auto count = std::min(text.find_first_not_of("0123456789"), text.size());
+    text.remove_prefix(count);
+    return count;
+  };
+  skip_sign();
+  auto digits = skip_digits();
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    digits += skip_digits();
+  }
+  if (digits > 0 && (text.starts_with('e') || text.starts_with('E'))) {
+    text.remove_prefix(1);
+    skip_sign();
+    digits = skip_digits();
+  }
+  return digits > 0 && text.empty();
+}
+
 }  // namespace
 
 Fifty::Fifty() { Inside::begin(*this, 0); }
@@ -38,19 +62,10 @@ Fifty::Fifty(const std::string& decimal) : Fifty(decimal.c_str()) {}
 
 Fifty::Fifty(const char* decimal) : Fifty()
 {
-  // Boost takes an empty text for zero and hexadecimal digits for a number: only what strtod would call decimal passes.
-  const std::string text = decimal;
-  const auto digit = text.find_first_of("0123456789");
-  const auto mantissa_end = std::min(text.find_first_of("eE"), text.size());
-  if (digit == std::string::npos || digit >= mantissa_end ||
-      text.find_first_not_of("0123456789+-.eE") != std::string::npos) {
-    throw std::invalid_argument("not a decimal number: '" + text + "'");
+  if (!is_decimal(decimal)) {
+    throw std::invalid_argument("not a decimal number: '" + std::string(decimal) + "'");
   }
-  try {
-    Inside::of(*this) = Real(text);
-  } catch (const std::runtime_error&) {
-    throw std::invalid_argument("not a decimal number: '" + text + "'");
-  }
+  Inside::of(*this) = Real(decimal);
 }
 
 Fifty& Fifty::operator=(const Fifty& other)
@@ -69,14 +84,10 @@ std::string Fifty::str(int digits) const
   return real(*this).str(digits, std::ios_base::fmtflags{});
 }
 
-Fifty& Fifty::operator+=(const Fifty& y) { Inside::of(*this) += real(y); return *this; }
-Fifty& Fifty::operator-=(const Fifty& y) { Inside::of(*this) -= real(y); return *this; }
-Fifty& Fifty::operator*=(const Fifty& y) { Inside::of(*this) *= real(y); return *this; }
-Fifty& Fifty::operator/=(const Fifty& y)
-{
-  Inside::of(*this) /= real(y);
-  return *this;
-}
+Fifty& Fifty::operator+=(const Fifty& y) { return Inside::of(*this) += real(y), *this; }
+Fifty& Fifty::operator-=(const Fifty& y) { return Inside::of(*this) -= real(y), *this; }
+Fifty& Fifty::operator*=(const Fifty& y) { return Inside::of(*this) *= real(y), *this; }
+Fifty& Fifty::operator/=(const Fifty& y) { return Inside::of(*this) /= real(y), *this; }
 
 Fifty operator-(const Fifty& x) { return fifty(-real(x)); }
 bool operator==(const Fifty& x, const Fifty& y) { return real(x) == real(y); }

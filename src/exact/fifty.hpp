@@ -14,9 +14,9 @@ namespace exact {
  * A real number with a significand of 168 bits (50 decimal digits) and a practically unbounded exponent.
  *
  * It is used like a `double`: the elementary functions are found by argument-dependent lookup, so that
- * `using std::sqrt; sqrt(x)` is one formula for both. The four operations and `sqrt` are correctly rounded, the other
- * functions are good to a few units of the fiftieth digit. A division by zero gives an infinity and an undefined
- * operation a NaN, as for doubles.
+ * `using std::sqrt; sqrt(x)` is one formula for both. The four operations and `sqrt` are correctly rounded, the
+ * other functions are good to a few units of the fiftieth digit. A division by zero gives an infinity and an
+ * undefined operation a NaN, as for doubles.
  *
  * Source: `cpp_bin_float_50` of Boost.Multiprecision, which stays out of this header.
  */
@@ -43,8 +43,8 @@ public:
   /// The nearest double, ties to even, subnormals included.
   explicit operator double() const;
 
-  /// The number in decimal, rounded to `digits` significant digits, without trailing zeros: plain (`0.00012`) from
-  /// 1e-4 up to 10^digits, else with an exponent (`1.2e-05`). `"inf"`, `"-inf"` and `"nan"` for the rest.
+  /// The number in decimal, rounded to `digits` significant digits, without trailing zeros: plain (`0.00012`)
+  /// from 1e-4 up to 10^digits, else with an exponent (`1.2e-05`). `"inf"`, `"-inf"`, `"nan"` for the rest.
   /// @throws std::out_of_range unless 1 ≤ digits ≤ 50
   std::string str(int digits = 50) const;
 
@@ -109,11 +109,11 @@ Fifty ln2();          ///< the natural logarithm of 2
 Fifty euler_gamma();  ///< Euler's constant, 0.57721...
 
 /**
- * The error of a double in units of its last place: |got - exact| divided by the spacing of doubles at `exact`.
+ * The error of a double in units of its last place: |got - exact| over the spacing of doubles at `exact`.
  *
- * The spacing is that of the binade in which `exact` itself lies, 2^-1074 among the subnormals and at zero, and that
- * of the last binade for what is too large for a double. An infinite `got` is without error where `exact` rounds to
- * that infinity, and infinitely wrong elsewhere. With a NaN on either side the answer is infinite.
+ * The spacing is that of the binade in which `exact` itself lies, 2^-1074 among the subnormals and at zero, and
+ * that of the last binade for what is too large for a double. An infinite `got` is without error where `exact`
+ * rounds to that infinity, and infinitely wrong elsewhere. With a NaN on either side the answer is infinite.
  */
 double ulps(double got, const Fifty& exact);
 

@@ -62,7 +62,8 @@ State Extrapolation::slope(const Fifty& t, const State& y)
 }
 
 // Gragg's rule: its error is a series in even powers of step/parts, parts even.
-State Extrapolation::midpoint(const Fifty& t, const State& y, const State& slope0, const Fifty& step, int parts)
+State Extrapolation::midpoint(const Fifty& t, const State& y, const State& slope0, const Fifty& step,
+                              int parts)
 {
   const Fifty h = step / parts;
   State before = y;
@@ -83,7 +84,7 @@ Fifty Extrapolation::extrapolate(const Fifty& t, const State& y, const Fifty& st
   for (size_t j = 0; j < columns_; ++j) {
     const int parts = 2 * static_cast<int>(j + 1);
     State value = midpoint(t, y, slope0, step, parts);
-    for (size_t k = 0; k < j; ++k) {  // Aitken and Neville: row[k] used j - k - 1 rules up to j, value those and j
+    for (size_t k = 0; k < j; ++k) {  // Aitken and Neville
       const Fifty ratio = Fifty(parts) / (2 * static_cast<int>(j - k));
       State better = value;
       for (size_t i = 0; i < better.size(); ++i) {
@@ -147,13 +148,16 @@ Solution solve(const RightSide& f, const Fifty& t0, const State& y0, const Fifty
   return result;
 }
 
-std::vector<Solution> solve(const RightSide& f, const Fifty& t0, const State& y0, const std::vector<Fifty>& times,
-                            const Fifty& tolerance)
+std::vector<Solution> solve(const RightSide& f, const Fifty& t0, const State& y0,
+                            const std::vector<Fifty>& times, const Fifty& tolerance)
 {
   std::vector<Solution> results;
+  Fifty t = t0;
+  State y = y0;
   for (const Fifty& t1 : times) {
-    const bool first = results.empty();
-    results.push_back(solve(f, first ? t0 : times[results.size() - 1], first ? y0 : results.back().y, t1, tolerance));
+    results.push_back(solve(f, t, y, t1, tolerance));
+    t = t1;
+    y = results.back().y;
   }
   return results;
 }

@@ -20,24 +20,24 @@ struct Solution {
 };
 
 /**
- * y(t1) of y' = f(t, y), y(t0) = y0, by extrapolation of the midpoint rule with steps chosen so that each contributes
- * at most `tolerance` to the error (absolute where |y| < 1, else relative to it).
+ * y(t1) of y' = f(t, y), y(t0) = y0, by extrapolation of the midpoint rule with steps chosen so that each
+ * contributes at most `tolerance` to the error (absolute where |y| < 1, else relative to it).
  *
- * The equation is solved twice, the second time with an order higher by four and a tolerance smaller by a factor of
- * a thousand. That second solution is returned; the difference between the two, which belongs to the first and is
- * therefore an honest bound for both, is the reported error. t1 may lie before t0.
+ * The equation is solved twice, the second time with an order higher by four and a tolerance smaller by a factor
+ * of a thousand. That second solution is returned; the difference between the two, which is the error of the first,
+ * is the reported one. t1 may lie before t0.
  *
  * @throws std::invalid_argument if the tolerance is not between 1e-44 and 1e-3, or a number is not finite
  * @throws std::runtime_error if a step becomes too small (a singularity) or more than 100 000 are needed
  *
- * Source: Gragg's rule and Aitken-Neville extrapolation (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
- * Equations I*, II.9).
+ * Source: Gragg's rule and Aitken-Neville extrapolation (Hairer, Nørsett and Wanner, *Solving Ordinary
+ * Differential Equations I*, II.9).
  */
 Solution solve(const RightSide& f, const Fifty& t0, const State& y0, const Fifty& t1,
                const Fifty& tolerance = Fifty("1e-32"));
 
 /// The same at several times, each reached from the one before: each error is that of its own leg.
-std::vector<Solution> solve(const RightSide& f, const Fifty& t0, const State& y0, const std::vector<Fifty>& times,
-                            const Fifty& tolerance = Fifty("1e-32"));
+std::vector<Solution> solve(const RightSide& f, const Fifty& t0, const State& y0,
+                            const std::vector<Fifty>& times, const Fifty& tolerance = Fifty("1e-32"));
 
 }  // namespace exact

@@ -50,9 +50,11 @@ Integral integrate_from_ends(const std::function<Fifty(const Fifty&, const Fifty
       add(b - half * c, half * c, weight);
     }
     const Fifty value = half * h * sum;
-    result.error = abs(value - result.value);
+    const Fifty whole = abs(half) * h * size;
+    const Fifty change = abs(value - result.value);
+    result.error = change + Fifty("1e-49") * whole;
     result.value = value;
-    if (level > 1 && result.error <= tolerance * abs(half) * h * size) {
+    if (level > 1 && change <= tolerance * whole) {
       return result;
     }
   }

@@ -12,8 +12,9 @@
 namespace exact {
 namespace {
 
-using Integer = boost::multiprecision::cpp_int;
-using Fraction = boost::multiprecision::cpp_rational;
+namespace multiprecision = boost::multiprecision;
+using Integer = multiprecision::cpp_int;
+using Fraction = multiprecision::cpp_rational;
 
 // Decimal digits with an optional minus sign; Boost alone would also take octal and hexadecimal ones.
 Integer whole_number(const std::string& text)
@@ -34,8 +35,8 @@ void require_nonnegative(int n, const char* what)
   }
 }
 
-// The quotient n/d with `bits` significant bits or a few more, the last one sticky: it is set if anything is lost,
-// so that one more rounding to fewer bits is a correct one. The value is the result times 2^shift.
+// The quotient n/d with `bits` significant bits or one more, the last one sticky: it is set if anything is lost, so
+// that one more rounding to fewer bits is a correct one. The value is the result times 2^shift.
 std::pair<Integer, int> sticky_quotient(const Integer& n, const Integer& d, int bits)
 {
   const int shift = static_cast<int>(msb(n)) - static_cast<int>(msb(d)) - bits;
@@ -86,8 +87,8 @@ Rational Rational::exactly(double x)
   return Rational(Value{Fraction(x)});
 }
 
-std::string Rational::numerator() const { return boost::multiprecision::numerator(value_->fraction).str(); }
-std::string Rational::denominator() const { return boost::multiprecision::denominator(value_->fraction).str(); }
+std::string Rational::numerator() const { return multiprecision::numerator(value_->fraction).str(); }
+std::string Rational::denominator() const { return multiprecision::denominator(value_->fraction).str(); }
 std::string Rational::str() const { return value_->fraction.str(); }
 
 Rational::operator Fifty() const
@@ -96,8 +97,8 @@ Rational::operator Fifty() const
   if (size == 0) {
     return 0;
   }
-  const auto [quotient, shift] = sticky_quotient(boost::multiprecision::numerator(size),
-                                                 boost::multiprecision::denominator(size), 200);
+  const auto [quotient, shift] =
+      sticky_quotient(multiprecision::numerator(size), multiprecision::denominator(size), 200);
   const Fifty result = ldexp(fifty(Real(quotient)), shift);
   return value_->fraction < 0 ? -result : result;
 }
@@ -109,8 +110,8 @@ Rational::operator double() const
     return 0;
   }
   // A Fifty would round a first time: 70 bits with a sticky one pass through it unrounded.
-  const auto [quotient, shift] = sticky_quotient(boost::multiprecision::numerator(size),
-                                                 boost::multiprecision::denominator(size), 70);
+  const auto [quotient, shift] =
+      sticky_quotient(multiprecision::numerator(size), multiprecision::denominator(size), 70);
   const double result = static_cast<double>(ldexp(fifty(Real(quotient)), shift));
   return value_->fraction < 0 ? -result : result;
 }
@@ -151,8 +152,8 @@ Rational pow(const Rational& x, int n)
 {
   Rational power = 1;
   Rational square = n < 0 ? Rational(1) / x : x;
-  for (unsigned left = n < 0 ? 0U - static_cast<unsigned>(n) : static_cast<unsigned>(n); left != 0; left /= 2) {
-    if (left % 2 == 1) {
+  for (int left = n; left != 0; left /= 2) {
+    if (left % 2 != 0) {
       power *= square;
     }
     square *= square;

@@ -1,11 +1,12 @@
 #pragma once
 /** @file
- * Formal power series, cut off at an order, over any numbers: `Rational` for identities, `Fifty` or `double` for values.
+ * Formal power series, cut off at an order, over any numbers: `Rational` for identities, `Fifty` for values.
  */
 #include "exact/rational.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -14,11 +15,11 @@
 namespace exact {
 
 /**
- * A power series c₀ + c₁x + ... + cₙxⁿ + O(xⁿ⁺¹) with the known order n, or a polynomial, whose order is `unlimited`.
+ * A power series c₀ + c₁x + ... + cₙxⁿ + O(xⁿ⁺¹) of the known order n, or a polynomial, of `unlimited` order.
  *
- * Nothing is pretended to be known that is not: a sum or product has the order to which its terms determine it.
- * `Coefficient` needs + - * == and a conversion from `int`, and / where series are divided. A coefficient may itself be
- * a series (a truncated series in two variables is a `Series<Series<Rational>>`) or a `Laurent` polynomial.
+ * No more is pretended to be known than is: a sum or product has the order to which its terms determine it.
+ * `Coefficient` needs + - * == and a conversion from `int`, and / where series are divided. A coefficient may
+ * itself be a series (in two variables: `Series<Series<Rational>>`) or a `Laurent` polynomial.
  */
 template <class Coefficient>
 class Series {
@@ -45,8 +46,10 @@ public:
   /// The variable, x + O(xⁿ⁺¹).
   static Series x(int order = unlimited) { return Series({Coefficient(0), Coefficient(1)}, order); }
 
-  int order() const { return order_; }                          ///< the last order known, or `unlimited`
-  int degree() const { return static_cast<int>(c_.size()) - 1; }  ///< of the last coefficient stored; -1 for 0
+  /// The last order known, or `unlimited`.
+  int order() const { return order_; }
+  /// That of the last coefficient stored; -1 for none.
+  int degree() const { return static_cast<int>(c_.size()) - 1; }
 
   /// The coefficient of xⁿ. @throws std::out_of_range if it is not known
   Coefficient operator[](int n) const
@@ -71,8 +74,8 @@ public:
     return sum;
   }
 
-  Series& operator+=(const Series& b) { return *this = combine(b, [](const auto& p, const auto& q) { return p + q; }); }
-  Series& operator-=(const Series& b) { return *this = combine(b, [](const auto& p, const auto& q) { return p - q; }); }
+  Series& operator+=(const Series& b) { return *this = combine(b, std::plus<>{}); }
+  Series& operator-=(const Series& b) { return *this = combine(b, std::minus<>{}); }
   Series& operator*=(const Series& b) { return *this = product(*this, b); }
   Series& operator/=(const Series& b) { return *this = quotient(*this, b); }
 
@@ -215,7 +218,7 @@ Series<C> compose(const Series<C>& a, const Series<C>& b)
 
 namespace formal {
 
-/// What the functions below ask for: an order to stop at, and the constant term that keeps the coefficients rational.
+/// What the functions below ask for: an order to stop at, and the constant term that keeps all rational.
 template <class C>
 void require(const Series<C>& a, int constant, const char* function)
 {
@@ -223,7 +226,8 @@ void require(const Series<C>& a, int constant, const char* function)
     throw std::domain_error(std::string(function) + " of a polynomial needs an order: use truncated()");
   }
   if (!(a[0] == C(constant))) {
-    throw std::domain_error(std::string(function) + " of a series needs the constant term " + std::to_string(constant));
+    throw std::domain_error(std::string(function) + " of a series needs the constant term " +
+                            std::to_string(constant));
   }
 }
 
@@ -309,9 +313,9 @@ template <class C>
 Series<C> cos(const Series<C>& a) { return formal::sine_and_cosine(a).second; }
 
 /**
- * The series b with a(b(x)) = x, for a = c₁x + ..., c₁ ≠ 0. @throws std::domain_error otherwise, or for a polynomial
- *
- * By Lagrange's theorem: n times the n-th coefficient of b is the coefficient of x^(n-1) in (x/a)^n.
+ * The series b with a(b(x)) = x, for a = c₁x + ..., c₁ ≠ 0, by Lagrange's theorem: n times the n-th coefficient
+ * of b is the coefficient of xⁿ⁻¹ in (x/a)ⁿ.
+ * @throws std::domain_error otherwise, or for a polynomial
  */
 template <class C>
 Series<C> reverse(const Series<C>& a)
@@ -340,8 +344,10 @@ public:
   Laurent(int constant) : Laurent(Coefficient(constant), 0) {}
   Laurent(const Coefficient& c, int n) : lowest_(n), c_{c} { trim(); }  ///< c xⁿ
 
-  int lowest() const { return lowest_; }                                         ///< the lowest power; 0 for zero
-  int highest() const { return lowest_ + static_cast<int>(c_.size()) - (c_.empty() ? 0 : 1); }  ///< the highest
+  /// The lowest power; 0 for zero.
+  int lowest() const { return lowest_; }
+  /// The highest power; 0 for zero.
+  int highest() const { return c_.empty() ? 0 : lowest_ + static_cast<int>(c_.size()) - 1; }
 
   /// The coefficient of xⁿ.
   Coefficient operator[](int n) const
@@ -397,7 +403,10 @@ public:
     return a * Laurent(Coefficient(1) / b.c_[0], -b.lowest_);
   }
 
-  friend bool operator==(const Laurent& a, const Laurent& b) { return a.lowest_ == b.lowest_ && a.c_ == b.c_; }
+  friend bool operator==(const Laurent& a, const Laurent& b)
+  {
+    return a.lowest_ == b.lowest_ && a.c_ == b.c_;
+  }
 
 private:
   static Laurent sum(const Laurent& a, const Laurent& b, const Coefficient& factor)
@@ -417,7 +426,8 @@ private:
     while (!c_.empty() && c_.back() == Coefficient(0)) {
       c_.pop_back();
     }
-    const auto first = std::find_if(c_.begin(), c_.end(), [](const auto& c) { return !(c == Coefficient(0)); });
+    const auto is_zero = [](const Coefficient& c) { return c == Coefficient(0); };
+    const auto first = std::find_if_not(c_.begin(), c_.end(), is_zero);
     lowest_ = c_.empty() ? 0 : lowest_ + static_cast<int>(first - c_.begin());
     c_.erase(c_.begin(), first);
   }
