@@ -27,7 +27,7 @@ struct Solution {
  * of a thousand. That second solution is returned; the difference between the two, which is the error of the first,
  * is the reported one. t1 may lie before t0.
  *
- * @throws std::invalid_argument if the tolerance is not between 1e-44 and 1e-3, or a number is not finite
+ * @throws std::invalid_argument if the tolerance is not between 1e-40 and 1e-3, or a number is not finite
  * @throws std::runtime_error if a step becomes too small (a singularity) or more than 100 000 are needed
  *
  * Source: Gragg's rule and Aitken-Neville extrapolation (Hairer, Nørsett and Wanner, *Solving Ordinary
