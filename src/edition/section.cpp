@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -196,7 +197,9 @@ void set_parameter(ParameterEntry& p, const std::string& text)
     refuse(p, text, unending ? "is not a finite number" : "is not a number");
   }
   char* end = nullptr;
+  errno = 0;
   const long double number = std::strtold(digits.c_str(), &end);
+  const bool vanished = errno == ERANGE && number == 0;
   if(end != digits.c_str() + digits.size() || digits.empty())
     refuse(p, text, "is not a number");
   if(!std::isfinite(static_cast<double>(number)))
@@ -205,7 +208,9 @@ void set_parameter(ParameterEntry& p, const std::string& text)
     refuse(p, text, "is not a whole number");
   p.shown = static_cast<double>(in_radians ? number * degrees.factor : number);
   p.value = static_cast<double>(in_radians ? number : number / p.unit.factor);
-  if(!p.range.contains(p.value) || (number != 0 && p.value == 0))
+  if(vanished || (number != 0 && p.value == 0))
+    refuse(p, text, "is too small for a double");
+  if(!p.range.contains(p.value))
     refuse(p, text, "is out of range");
   p.given = text;
 }

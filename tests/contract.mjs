@@ -1,0 +1,142 @@
+// The contract of every section's program: what it answers to each call, and what it refuses. Run with the program's path.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { openSync, closeSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, test } from 'node:test';
+
+const program = path.resolve(process.argv[2]);
+const name = path.basename(program);
+const scratch = mkdtempSync(path.join(tmpdir(), `${name}-`));
+after(() => rmSync(scratch, { recursive: true }));
+
+function run(args, stdout = 'pipe') {
+  const r = spawnSync(program, args, { encoding: 'utf8', stdio: ['ignore', stdout, 'pipe'], maxBuffer: 1 << 28 });
+  return { status: r.status, out: r.stdout ?? '', err: r.stderr };
+}
+
+function refuses(args, status, ...words) {
+  const r = run(args);
+  const call = `${name} ${args.join(' ')}`;
+  assert.equal(r.status, status, `${call}: exit status`);
+  assert.equal(r.out, '', `${call}: standard output`);
+  assert.match(r.err, /^[^\n]+\n$/, `${call}: one line on standard error`);
+  for (const word of words) assert.ok(r.err.includes(word), `${call}: "${word}" in: ${r.err}`);
+}
+
+const told = JSON.parse(run(['--json']).out);
+
+/** Numbers on the wrong side of each end of a range in words. */
+function outside(parameter) {
+  const text = parameter.range.replaceAll('°', '');
+  const number = String.raw`(-?[0-9.]+(?:e[-+]?\d+)?)`;
+  const grow = (x, sign) => String(x + sign * (Math.abs(x) + 1));
+  let m;
+  if ((m = text.match(new RegExp(`^a whole number from ${number} to ${number}$`)))) return [`${+m[1] - 1}`, `${+m[2] + 1}`];
+  if ((m = text.match(new RegExp(`^\\w+ [>≥] ${number}`)))) return [grow(+m[1], -1)];
+  if ((m = text.match(new RegExp(`^${number}.* [<≤] \\w+ [<≤] ${number}`)))) return [grow(+m[1], -1), grow(+m[2], 1)];
+  assert.equal(text, 'any finite number', `the range of ${parameter.name} is in no known form`);
+  return [];
+}
+
+test('it tells its section', () => {
+  const r = run([]);
+  assert.equal(r.status, 0);
+  assert.equal(r.err, '');
+  assert.ok(r.out.includes(told.title));
+  for (const value of told.values) assert.ok(r.out.includes(value.name), value.name);
+  assert.equal(`${told.chapter}-${String(told.section).padStart(2, '0')}`, name);
+});
+
+test('it says the same twice', () => {
+  assert.equal(run(['--json']).out, run(['--json']).out);
+});
+
+test('its help lists every parameter, with unit, default, range and meaning', () => {
+  const r = run(['--help']);
+  assert.equal(r.status, 0);
+  const words = r.out.replace(/\s+/g, ' ');
+  for (const p of told.parameters)
+    for (const word of [`--${p.name}`, p.meaning, p.range, 'default']) assert.ok(words.includes(word), `${p.name}: ${word}`);
+});
+
+test('it has a version', () => {
+  assert.match(run(['--version']).out, new RegExp(`^${name} \\(Euler on Oscillation [0-9.]+\\)\n$`));
+});
+
+const packages = process.env.BOOK_PACKAGES;
+test('its JSON follows the schema', { skip: packages ? false : 'the npm packages are not installed' }, () => {
+  const Ajv = createRequire(path.join(packages, 'package.json'))('ajv/dist/2020.js').default;
+  const schema = JSON.parse(readFileSync(new URL('../book/schema/section.json', import.meta.url)));
+  const valid = new Ajv({ strict: false }).compile(schema);
+  assert.ok(valid(told), JSON.stringify(valid.errors));
+});
+
+for (const p of told.parameters)
+  test(`it refuses bad input for --${p.name}`, () => {
+    const option = `--${p.name}`;
+    const bad = ['', 'abc', '1,5', '0x10', '1 2', '--', 'nan', 'NaN', 'inf', '-inf', '1e9999', '1e-9999', ...outside(p)];
+    if (p.kind === 'integer') bad.push('2.5');
+    if (p.kind === 'angle') bad.push('rad', '1.2grad');
+    for (const value of bad) refuses([`${option}=${value}`], 2, option, value.slice(0, 3), 'allowed');
+    refuses([option], 2, option, 'allowed');
+    refuses([option, String(p.default), option, String(p.default)], 2, option, String(p.default), 'allowed');
+  });
+
+test('it refuses what it does not know, and calls that contradict each other', () => {
+  refuses(['--no-such-option'], 2, '--no-such-option', 'allowed');
+  refuses(['stray'], 2, 'stray', 'allowed');
+  refuses(['--data', scratch, '--check'], 2, '--data', 'allowed');
+  refuses(['--', '-tc=x'], 2, '-tc=x', '--check');
+});
+
+test('a parameter may be given as what it is anyway', () => {
+  for (const p of told.parameters) assert.equal(run(['--json', `--${p.name}`, String(p.default)]).status, 0, p.name);
+});
+
+test('its checks hold, each claims something, and a run without checks is no success', () => {
+  const r = run(['--check', '--json']);
+  const report = JSON.parse(r.out);
+  assert.equal(r.status, 0, run(['--check']).out);
+  assert.ok(report.passed && report.cases.length > 0);
+  for (const c of report.cases) assert.ok(c.passed && c.claims.length > 0, c.name);
+  const entries = [...told.errata, ...told.emendations, ...told.doubtful, ...told.undecided];
+  assert.equal(report.apparatus.length, entries.length);
+  assert.equal(run(['--check', '--', '-tc=no such check']).status, 1);
+});
+
+test('its data are headed, rectangular, the same twice, and whole', () => {
+  const folder = path.join(scratch, 'data');
+  const r = run(['--data', folder]);
+  assert.equal(r.status, 0, r.err);
+  const files = [...told.tables.map((t) => [t.name, t.columns.map((c) => c.name)]), ...told.curves.map((c) => [c.name, c.columns])];
+  assert.deepEqual(readdirSync(folder).sort(), files.map(([file]) => `${name}.${file}.tsv`).sort());
+  const before = files.map(([file]) => readFileSync(path.join(folder, `${name}.${file}.tsv`), 'utf8'));
+  for (const [i, [file, columns]] of files.entries()) {
+    const lines = before[i].split('\n').filter((line) => line !== '');
+    assert.equal(lines[0], columns.join('\t'), file);
+    assert.ok(lines.length > 1, `${file} has no rows`);
+    for (const line of lines) assert.equal(line.split('\t').length, columns.length, `${file}: ${line}`);
+  }
+  run(['--data', folder]);
+  for (const [i, [file]] of files.entries())
+    assert.equal(readFileSync(path.join(folder, `${name}.${file}.tsv`), 'utf8'), before[i], `${file} differs the second time`);
+});
+
+test('a folder that cannot be made and a full disk end in one line', () => {
+  const file = path.join(scratch, 'a-file');
+  writeFileSync(file, '');
+  refuses(['--data', path.join(file, 'below')], 1, file);
+  const full = openSync('/dev/full', 'w');
+  const r = run([], full);
+  closeSync(full);
+  assert.equal(r.status, 1);
+  assert.match(r.err, /^[^\n]+\n$/);
+});
+
+test('its races are timed', { skip: told.races.length === 0 }, () => {
+  const races = JSON.parse(run(['--bench', '--json']).out).races;
+  for (const race of races) for (const m of race.methods) assert.ok(m.seconds > 0 && m.ratio > 0, m.name);
+});
