@@ -1,0 +1,145 @@
+#include "balance/motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include "exact/ode.hpp"
+
+namespace balance
+{
+namespace
+{
+
+using exact::Fifty;
+
+/// The state as integrators want it, six numbers in a row: angles, then rates.
+template <class Number>
+std::array<Number, 6> row(const State<Number>& s)
+{
+  return {s.at.omega, s.at.eta, s.at.theta, s.rate.omega, s.rate.eta, s.rate.theta};
+}
+
+template <class Row>
+auto state(const Row& y) -> State<std::remove_cvref_t<decltype(y[0])>>
+{
+  return {{y[0], y[1], y[2]}, {y[3], y[4], y[5]}};
+}
+
+int right_side(double, const double y[], double dydt[], void* balance)
+{
+  const State<> now{{y[0], y[1], y[2]}, {y[3], y[4], y[5]}};
+  const auto a = row(State<>{now.rate, accelerations(*static_cast<const Balance<>*>(balance), now)});
+  std::copy(a.begin(), a.end(), dydt);
+  return GSL_SUCCESS;
+}
+
+bool all_finite(const State<>& s)
+{
+  const auto y = row(s);
+  return std::all_of(y.begin(), y.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// State and its rate of change, which have the same six numbers.
+State<> step(const State<>& from, const State<>& slope, double h)
+{
+  auto y = row(from);
+  const auto k = row(slope);
+  for(std::size_t i = 0; i < y.size(); ++i)
+    y[i] += h * k[i];
+  return state(y);
+}
+
+}  // namespace
+
+struct Motion::Inner
+{
+  Balance<> b;
+  double tolerance;
+  double start_energy;
+  double t = 0;
+  State<> now;
+  gsl_odeiv2_system system{right_side, nullptr, 6, nullptr};
+  std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver{nullptr, gsl_odeiv2_driver_free};
+
+  Inner(const Balance<>& balance, const State<>& start, double its_tolerance)
+      : b(balance), tolerance(its_tolerance), start_energy(energy(balance, start)), now(start)
+  {
+    const bool possible = b.mu2 > 0 && b.beta > 0 && b.rho >= 0 && b.rho < 0.5 && std::isfinite(b.lambda2) &&
+                          std::isfinite(b.mu2) && std::isfinite(b.beta) && all_finite(start);
+    if(!possible || !(tolerance >= 1e-15 && tolerance <= 0.1))
+      throw std::domain_error("no such motion: allowed are μ² > 0, β > 0, 0 ≤ ρ < ½ and finite numbers");
+    system.params = &b;
+    const double step = 0.01 / std::sqrt(b.mu2);
+    driver.reset(gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, step, tolerance, tolerance));
+    if(!driver)
+      throw std::bad_alloc();
+  }
+};
+
+Motion::Motion(const Balance<>& b, const State<>& start, double tolerance)
+    : inner_(std::make_unique<Inner>(b, start, tolerance))
+{
+}
+Motion::~Motion() = default;
+Motion::Motion(Motion&&) noexcept = default;
+Motion& Motion::operator=(Motion&&) noexcept = default;
+
+const State<>& Motion::to(double t)
+{
+  if(!std::isfinite(t) || t < inner_->t)
+    throw std::invalid_argument("a motion can only be carried on to a later time");
+  auto y = row(inner_->now);
+  const auto handler = gsl_set_error_handler_off();  // a failure comes back as a status
+  const int status = gsl_odeiv2_driver_apply(inner_->driver.get(), &inner_->t, t, y.data());
+  gsl_set_error_handler(handler);
+  if(status != GSL_SUCCESS)
+    throw std::runtime_error(std::string("the motion cannot be carried on: ") + gsl_strerror(status));
+  inner_->now = state(y);
+  return inner_->now;
+}
+
+double Motion::energy_drift() const
+{
+  const double change = std::abs(energy(inner_->b, inner_->now) - inner_->start_energy);
+  return inner_->start_energy == 0 ? change : change / std::abs(inner_->start_energy);
+}
+
+State<> runge_kutta(const Balance<>& b, const State<>& start, double t, int steps)
+{
+  if(steps < 1)
+    throw std::invalid_argument("a motion needs at least one step");
+  const double h = t / steps;
+  const auto slope = [&b](const State<>& s) { return State<>{s.rate, accelerations(b, s)}; };
+  State<> now = start;
+  for(int i = 0; i < steps; ++i)
+  {
+    const State<> k1 = slope(now);
+    const State<> k2 = slope(step(now, k1, h / 2));
+    const State<> k3 = slope(step(now, k2, h / 2));
+    const State<> k4 = slope(step(now, k3, h));
+    now = step(step(step(step(now, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
+  }
+  return now;
+}
+
+State<Fifty> oracle(const Balance<>& b, const State<>& start, double t, const Fifty& tolerance)
+{
+  const Balance<Fifty> widened{b.lambda2, b.mu2, b.beta, b.rho};
+  const auto slope = [&widened](const Fifty&, const exact::State& y) {
+    const State<Fifty> now = state(y);
+    const auto a = row(State<Fifty>{now.rate, accelerations(widened, now)});
+    return exact::State(a.begin(), a.end());
+  };
+  const auto y = row(start);
+  const exact::Solution solution = exact::solve(slope, 0.0, exact::State(y.begin(), y.end()), t, tolerance);
+  if(solution.error > Fifty("1e-16"))
+    throw std::runtime_error("the oracle's two integrations do not agree");
+  return state(solution.y);
+}
+
+}  // namespace balance
