@@ -35,7 +35,7 @@ Real ratio_by_mean(Real eta)
   using std::sin, std::sqrt;
   Real a = 1;
   Real g = sin(eta / 2);
-  for(Real gap = 1; a - g < gap && a > g;)  // until rounding stops it
+  for(Real gap = 2; a - g < gap && a > g;)  // until rounding stops it
   {
     gap = a - g;
     const Real mean = (a + g) / 2;
