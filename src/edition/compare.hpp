@@ -69,7 +69,8 @@ Claim take_last_claim();
 
 }  // namespace edition
 
-/// Fifty and Rational in doctest's messages.
+/// @cond
+// Fifty and Rational in doctest's messages.
 template <>
 struct doctest::StringMaker<exact::Fifty>
 {
@@ -80,3 +81,4 @@ struct doctest::StringMaker<exact::Rational>
 {
   static doctest::String convert(const exact::Rational& x) { return x.str().c_str(); }
 };
+/// @endcond
