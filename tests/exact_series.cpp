@@ -124,6 +124,8 @@ TEST_CASE("Laurent polynomials keep to their powers")
   CHECK(c * inverse == L(1));
   CHECK((c + inverse) * (c - inverse) == L(1, 2) - L(1, -2));
   CHECK(derivative(L(3, -2) + L(5, 0) + L(1, 4)) == L(-6, -3) + L(4, 3));
+  CHECK(integral(L(-6, -3) + L(4, 3)) == L(3, -2) + L(1, 4));
+  CHECK_THROWS_AS(integral(inverse), std::domain_error);
   CHECK((L(1, 3) - L(1, 3)) == L());
   CHECK((L(1, 3) + 0).lowest() == 3);
   CHECK((L(1, 3) + L(2, -4)).highest() == 3);

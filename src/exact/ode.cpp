@@ -30,6 +30,9 @@ Fifty distance(const State& x, const State& y)
   return greatest;
 }
 
+// A step led to where the right-hand side is not finite.
+struct StepTooLong {};
+
 class Extrapolation {
 public:
   Extrapolation(const RightSide& f, size_t columns) : f_(f), columns_(columns) {}
@@ -53,10 +56,8 @@ State Extrapolation::slope(const Fifty& t, const State& y)
   if (result.size() != y.size()) {
     throw std::invalid_argument("the right-hand side has not as many components as the state");
   }
-  for (const Fifty& component : result) {
-    if (!isfinite(component)) {
-      throw std::runtime_error("the right-hand side is not finite at t = " + t.str(20));
-    }
+  if (!std::all_of(result.begin(), result.end(), [](const Fifty& component) { return isfinite(component); })) {
+    throw StepTooLong{};
   }
   return result;
 }
@@ -110,14 +111,19 @@ State Extrapolation::run(Fifty t, State y, const Fifty& t1, const Fifty& toleran
     if (last) {
       step = t1 - t;
     }
-    State next;
-    const Fifty error = extrapolate(t, y, step, next);
-    if (error <= tolerance) {
-      t = last ? t1 : t + step;
-      y = std::move(next);
+    double factor = 0.1;
+    try {
+      State next;
+      const Fifty error = extrapolate(t, y, step, next);
+      if (error <= tolerance) {
+        t = last ? t1 : t + step;
+        y = std::move(next);
+      }
+      const double ratio = std::max(static_cast<double>(error / tolerance), 1e-30);
+      factor = std::clamp(0.8 * std::pow(ratio, -1 / order), 0.1, 3.0);
+    } catch (const StepTooLong&) {
     }
-    const double ratio = std::max(static_cast<double>(error / tolerance), 1e-30);
-    step *= std::clamp(0.8 * std::pow(ratio, -1 / order), 0.1, 3.0);
+    step *= factor;
     if (steps == most_steps || abs(step) < abs(whole) * Fifty("1e-30")) {
       throw std::runtime_error("the integration cannot pass t = " + t.str(20));
     }

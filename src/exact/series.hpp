@@ -342,7 +342,7 @@ class Laurent {
 public:
   Laurent() = default;  ///< Zero.
   Laurent(int constant) : Laurent(Coefficient(constant), 0) {}
-  Laurent(const Coefficient& c, int n) : lowest_(n), c_{c} { trim(); }  ///< c xⁿ
+  Laurent(const Coefficient& c, int n = 0) : lowest_(n), c_{c} { trim(); }  ///< c xⁿ
 
   /// The lowest power; 0 for zero.
   int lowest() const { return lowest_; }
@@ -443,6 +443,20 @@ Laurent<C> derivative(const Laurent<C>& a)
   Laurent<C> sum;
   for (int n = a.lowest(); n <= a.highest(); ++n) {
     sum += Laurent<C>(C(n) * a[n], n - 1);
+  }
+  return sum;
+}
+
+/// The integral without a constant term. @throws std::domain_error if there is a term 1/x, whose integral is ln x
+template <class C>
+Laurent<C> integral(const Laurent<C>& a)
+{
+  if (!(a[-1] == C(0))) {
+    throw std::domain_error("the integral of 1/x is not a power");
+  }
+  Laurent<C> sum;
+  for (int n = a.lowest(); n <= a.highest(); ++n) {
+    sum += n == -1 ? Laurent<C>() : Laurent<C>(a[n] / C(n + 1), n + 1);
   }
   return sum;
 }

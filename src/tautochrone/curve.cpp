@@ -1,0 +1,81 @@
+#include "tautochrone/curve.hpp"
+
+#include "exact/ode.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tautochrone
+{
+namespace
+{
+
+using exact::Fifty;
+
+// Two neighbouring tautochrones differ nearly as the power 1/kk of exp(contraction(φ)).
+Fifty contraction(const Fifty& phi)
+{
+  return log(sin(phi)) - sin(phi) * sin(phi) / 2;
+}
+
+// A tautochrone through the larger radius at which dr = 0 for the angle phi: it ends there.
+Point ending_at(const Fifty& k, const Fifty& phi)
+{
+  const Fifty half = (1 + k * k) * cos(phi) / 2;
+  return {phi, half + sqrt(half * half - k * k), 0};
+}
+
+// Where the integration down to phi begins: at the end, or as near as leaves e^-80 of an error there.
+Point beginning(const Fifty& k, const Fifty& phi)
+{
+  const Point end = highest_end(k);
+  const Fifty enough = contraction(phi) + 80 * k * k;
+  if (contraction(end.phi) <= enough)
+    return end;
+  Fifty lower = phi;
+  Fifty upper = end.phi;
+  while (contraction(upper) - enough > k * k)
+  {
+    const Fifty middle = (lower + upper) / 2;
+    (contraction(middle) < enough ? lower : upper) = middle;
+  }
+  return ending_at(k, upper);
+}
+
+}  // namespace
+
+Point highest_end(const Fifty& k)
+{
+  if (!(k > 0 && k < 1))
+    throw std::domain_error("a pendulum on cheeks needs 0 < k < a, not k/a = " + k.str(6));
+  return {atan((1 - k) / sqrt(k)), sqrt(k * (1 - k + k * k)), (1 - k) * (1 - k) / 2};
+}
+
+std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
+{
+  const Point end = highest_end(k);
+  const auto right_side = [&](const Fifty& phi, const exact::State& r) { return exact::State{slope(phi, r[0], k)}; };
+  std::vector<Fifty> radii;
+  Point at = end;
+  for (auto phi = angles.rbegin(); phi != angles.rend(); ++phi)
+  {
+    if (!(*phi >= 0 && *phi <= (radii.empty() ? end.phi : at.phi)))
+      throw std::domain_error("the angles must grow and end before " + end.phi.str(6) + ", unlike " + phi->str(6));
+    const Point start = *phi == 0 ? Point{0, 1, 0} : beginning(k, *phi);
+    if (radii.empty() || start.phi < at.phi)
+      at = start;
+    if (*phi != at.phi)
+      at.r = solve(right_side, at.phi, {at.r}, *phi, Fifty("1e-30")).y[0];
+    at.phi = *phi;
+    radii.push_back(at.r);
+  }
+  std::reverse(radii.begin(), radii.end());
+  return radii;
+}
+
+Fifty highest(const Fifty& k, const Fifty& phi)
+{
+  return highest(k, std::vector<Fifty>{phi})[0];
+}
+
+}  // namespace tautochrone

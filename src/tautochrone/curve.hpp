@@ -1,0 +1,63 @@
+#pragma once
+/** @file
+ * The exact tautochrone of a compound pendulum, to thirty digits.
+ *
+ * Lengths are in units of a, the distance AC: k is k/a, r is r/a.
+ */
+#include "exact/fifty.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace tautochrone
+{
+
+/**
+ * dr/dφ on a tautochrone, by the equation at the end of §25, for a = 1.
+ *
+ * Followed with φ growing, every error grows as φ to the power 1/kk - 1; followed towards φ = 0, it dies as fast.
+ * Singular at φ = 0 and for k = 0.
+ */
+template <class Real>
+Real slope(const Real& phi, const Real& r, const Real& k)
+{
+  using std::cos, std::sin;
+  const Real kk = k * k;
+  const Real u = kk + r * r;
+  return u * (u - (1 + kk) * r * cos(phi)) / (kk * (1 + kk) * sin(phi));
+}
+
+/// A point of the curve: the angle, the radius of curvature, the height above the lowest point.
+struct Point
+{
+  exact::Fifty phi;
+  exact::Fifty r;
+  exact::Fifty x;
+};
+
+/**
+ * Where the highest tautochrone ends, in closed form.
+ *
+ * For k < 1 infinitely many curves through the lowest point, all with the radius 1 there, have all swings equal.
+ * Each of them ends where dr = 0 and the cheek would have to turn back. The one that reaches highest does so at the
+ * height ½(1 - k)². It is the edition's standard of an exact curve.
+ *
+ * @throws std::domain_error unless 0 < k < 1
+ */
+Point highest_end(const exact::Fifty& k);
+
+/**
+ * r of the highest tautochrone at each of the angles, which must grow and lie between 0 and its end. The error is
+ * below 1e-28.
+ *
+ * Integrated backwards. For small k the integration need not begin at the end: two tautochrones that are both there
+ * at an angle a little above φ differ at φ by less than e^-80.
+ *
+ * @throws std::domain_error unless 0 < k < 1 and the angles are as they should be
+ */
+std::vector<exact::Fifty> highest(const exact::Fifty& k, const std::vector<exact::Fifty>& angles);
+
+/// The same at one angle.
+exact::Fifty highest(const exact::Fifty& k, const exact::Fifty& phi);
+
+}  // namespace tautochrone

@@ -1,0 +1,46 @@
+#include "tautochrone/swing.hpp"
+
+#include <stdexcept>
+
+namespace tautochrone
+{
+
+using exact::Fifty;
+
+Fifty excess(const std::function<Fifty(const Fifty&)>& r, const std::function<Fifty(const Fifty&)>& x, const Fifty& k,
+             const Fifty& phi0)
+{
+  if (!(phi0 > 0 && phi0 < exact::pi() / 2 && k >= 0))
+    throw std::domain_error("a swing needs 0 < φ₀ < 90° and k ≥ 0");
+  const Fifty c = x(phi0);
+  const Fifty small_swing = exact::pi() * sqrt(2 * (1 + k * k));
+  Fifty before;
+  for (int nodes = 16; nodes <= 1024; nodes *= 2)
+  {
+    Fifty sum;
+    for (int i = 0; i < nodes; ++i)
+    {
+      const Fifty alpha = (i + Fifty(0.5)) * exact::pi() / (2 * nodes);
+      const Fifty phi = phi0 * sin(alpha);
+      const Fifty radius = r(phi);
+      const Fifty to_fall = c - x(phi);
+      if (!(to_fall > 0))
+        throw std::domain_error("the curve does not rise to φ = " + phi0.str(6));
+      sum += phi0 * cos(alpha) * sqrt((k * k + radius * radius) / to_fall);
+    }
+    const Fifty result = exact::pi() / nodes * sum / small_swing - 1;
+    if (abs(result - before) < Fifty("1e-25"))
+      return result;
+    before = result;
+  }
+  throw std::runtime_error("the time of the swing does not settle");
+}
+
+Fifty excess(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& phi0)
+{
+  const exact::Laurent<Fifty> falling = integral(r);  // dx = r dφ sin φ = −r d(cos φ)
+  const auto x = [&](const Fifty& phi) { return falling(Fifty(1)) - falling(cos(phi)); };
+  return excess([&](const Fifty& phi) { return r(cos(phi)); }, x, k, phi0);
+}
+
+}  // namespace tautochrone

@@ -1,0 +1,28 @@
+#pragma once
+/** @file
+ * How long a compound pendulum swings whose centre of gravity is led along a curve.
+ */
+#include "exact/series.hpp"
+
+#include <functional>
+
+namespace tautochrone
+{
+
+/**
+ * T/T₀ - 1, by how much a swing of amplitude phi0 lasts longer than an infinitely small one (§19).
+ *
+ * `r` and `x` are the radius of curvature and the height as functions of φ, in units of a, with r(0) = 1; k is k/a. The
+ * midpoint rule after φ = φ₀ sin α, its nodes doubled until the result stands still to twenty-five digits.
+ *
+ * @throws std::domain_error unless 0 < phi0 < π/2, k ≥ 0, and x grows from 0 to phi0
+ * @throws std::runtime_error if 1024 nodes are not enough
+ */
+exact::Fifty excess(const std::function<exact::Fifty(const exact::Fifty&)>& r,
+                    const std::function<exact::Fifty(const exact::Fifty&)>& x, const exact::Fifty& k,
+                    const exact::Fifty& phi0);
+
+/// The same for a radius that is a polynomial in cos φ and 1/cos φ without a term 1/cos φ, such as Euler's.
+exact::Fifty excess(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k, const exact::Fifty& phi0);
+
+}  // namespace tautochrone
