@@ -1,0 +1,52 @@
+/// @file
+/// The ball and its equations of motion, as §§2-7 of the paper set them up.
+///
+/// Euler's letters and units: g is the height fallen from rest in the first second, so that the acceleration
+/// of gravity is 2g; weights serve as masses; the friction λΠ is positive when it acts backwards, against
+/// the motion. Lengths are in any unit, times in seconds, angles in radians.
+#pragma once
+
+#include <cmath>
+
+namespace globe
+{
+
+/// A ball whose centre of gravity G is not its centre C. A homogeneous ball of weight 4/5 and radius 1 with
+/// a pellet of weight 1/5 halfway down to its surface has a = 1, c = 1/10, kk = 9/25.
+template <class Real>
+struct Ball
+{
+  Real a;  ///< its radius, a > 0
+  Real c;  ///< the distance CG, c ≥ 0
+  Real k;  ///< the moment of inertia about the axis through G is weight · kk, k > 0
+};
+
+/// The accelerations of G and of the angle, and what the plane bears.
+template <class Real>
+struct Accelerations
+{
+  Real x;         ///< of G forwards, ddx/dt²
+  Real y;         ///< of G upwards, ddy/dt²
+  Real Phi;       ///< of the angle, ddΦ/dt²
+  Real pressure;  ///< Π/P; where it is negative the ball has left the plane and the rest is void
+};
+
+/// Solves the three equations of §§6-7 and the second of §3 for the ball at the angle Φ from its lowest
+/// position, turning with the velocity w = dΦ/dt, with the ratio λ of friction to pressure (0 on a smooth
+/// plane).
+/// Domain: c w w finite; the denominator kk − c sin Φ (λ(a − c cos Φ) − c sin Φ) is positive for every |λ| <
+/// 2k/(a + c).
+/// Nothing is thrown; outside, the result is formal. `Real` is double or exact::Fifty; rounding: a few ulps
+/// of each summand.
+template <class Real>
+Accelerations<Real> accelerations(const Ball<Real>& ball, const Real& g, const Real& Phi, const Real& w,
+                                  const Real& lambda)
+{
+  using std::cos, std::sin;
+  const auto& [a, c, k] = ball;
+  const Real arm = lambda * (a - c * cos(Phi)) - c * sin(Phi);  // of Π and its friction together, about G
+  const Real pressure = k * k * (1 + c * w * w * cos(Phi) / (2 * g)) / (k * k - c * sin(Phi) * arm);
+  return {-2 * g * lambda * pressure, 2 * g * (pressure - 1), 2 * g * pressure * arm / (k * k), pressure};
+}
+
+}  // namespace globe

@@ -1,0 +1,29 @@
+/// @file
+/// Times of the ball that have a closed form, in Euler's natural measure τ = t√(2gc), which is a length.
+#pragma once
+
+#include "exact/fifty.hpp"
+
+namespace globe
+{
+
+/// On a smooth plane, with just the velocity that the top asks for (ζζkk = 8gc, Euler's Case II): the time τ
+/// = t√(2gc) from the lowest position until the centre of gravity stands at the angle 2ω from the highest.
+///
+/// Domain: c ≥ 0, k > 0, 0 < ω ≤ π/2; else std::domain_error. Error in double: 10 ulps for ω from 10⁻³⁰⁰ to
+/// 1.5 and c up to 10⁶ k.
+///
+/// Source: with v = cos ω, q = 1 + 4ccvv/kk, B = (2c/kk)(√(cc+kk) + c), X = (1 + B sin²ω)/(1 + B), Z = 1 +
+/// Bvv,
+///
+///     τ = k arsinh(cot ω/√q) + (4cc/3k) v³ (R_J(1, X, Z, q) + R_D(X, Z, 1)),
+///
+/// from the integral of §13 by Carlson's relation between two R_J of conjugate fourth arguments, which moves
+/// all that is infinite at the top into the first term.
+template <class Real>
+Real separatrix_time(const Real& c, const Real& k, const Real& omega);
+
+extern template double separatrix_time(const double&, const double&, const double&);
+extern template exact::Fifty separatrix_time(const exact::Fifty&, const exact::Fifty&, const exact::Fifty&);
+
+}  // namespace globe

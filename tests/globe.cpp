@@ -1,0 +1,194 @@
+/// @file
+/// The globe's library: Carlson's integrals against closed values, their defining integrals and GSL; the
+/// equations of motion against Newton's laws; the time to the top against its integral.
+#include <doctest/doctest.h>
+#include <gsl/gsl_sf_ellint.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "edition/compare.hpp"
+#include "exact/quadrature.hpp"
+#include "globe/ball.hpp"
+#include "globe/carlson.hpp"
+#include "globe/gauss.hpp"
+#include "globe/time.hpp"
+
+using namespace globe;
+using edition::within;
+using edition::within_relative;
+using edition::within_ulps;
+using exact::Fifty;
+
+namespace
+{
+
+/// Random numbers spread evenly in their logarithm from 10^-decades to 10^decades.
+class Spread
+{
+public:
+  explicit Spread(double decades) : exponent_(-decades, decades) {}
+  double operator()() { return std::pow(10.0, exponent_(engine_)); }
+
+private:
+  std::mt19937_64 engine_{612};
+  std::uniform_real_distribution<double> exponent_;
+};
+
+/// ∫₀^∞ f(t) dt with t = u/(1−u); `f` decays at least as t^(-3/2).
+Fifty to_infinity(const std::function<Fifty(const Fifty&)>& f)
+{
+  const auto folded = [&](const Fifty& u, const Fifty& to_end) {
+    const Fifty rest = to_end > 0 ? to_end : 1 - u;
+    const Fifty t = (to_end > 0 ? u : -to_end) / rest;
+    return f(t) / (rest * rest);
+  };
+  return exact::integrate_from_ends(folded, 0, 1).value;
+}
+
+/// τ of Case II by the integral of §13 in v = sin ½Φ, its logarithm split off.
+Fifty time_by_integral(const Fifty& c, const Fifty& k, const Fifty& omega)
+{
+  const auto rest = [&](const Fifty& v) {
+    return 4 * c * c * v * v / (k + sqrt(k * k + 4 * c * c * v * v * (1 - v * v)));
+  };
+  return k * asinh(1 / tan(omega)) + exact::integrate(rest, 0, cos(omega)).value;
+}
+
+}  // namespace
+
+TEST_CASE("Carlson's integrals have the lemniscate's closed values")
+{
+  const Fifty two_pi = 2 * exact::pi();
+  const Fifty quarter = pow(tgamma(Fifty(0.25)), 2) / (4 * sqrt(two_pi));
+  CHECK(R_F<Fifty>(0, 1, 2) == within_relative(quarter, 1e-48, "fifteen steps of fifty digits"));
+  const Fifty b = pow(tgamma(Fifty(0.75)), 2) / sqrt(two_pi);
+  CHECK(R_D<Fifty>(0, 2, 1) == within_relative(3 * b, 1e-48, "fifteen steps of fifty digits"));
+}
+
+TEST_CASE("Carlson's integrals are what they are defined to be")
+{
+  const Fifty x = 0.25, y = 1, z = 3;
+  const auto root = [&](const Fifty& t) { return sqrt((t + x) * (t + y) * (t + z)); };
+  const Fifty first = to_infinity([&](const Fifty& t) { return 1 / (2 * root(t)); });
+  CHECK(R_F(x, y, z) == within_relative(first, 1e-38, "the oracle's own bound"));
+  for(const double p : {1e-3, 0.25, 2.0, 50.0})
+  {
+    const Fifty third = to_infinity([&](const Fifty& t) { return Fifty(1.5) / ((t + p) * root(t)); });
+    CHECK(R_J(x, y, z, Fifty(p)) == within_relative(third, 1e-38, "the oracle's own bound"));
+  }
+}
+
+TEST_CASE("Carlson's integrals in double keep what they promise")
+{
+  Spread spread(6);
+  double worst_F = 0, worst_J = 0, worst_D = 0;
+  for(int i = 0; i < 500; ++i)
+  {
+    const double x = spread(), y = spread(), z = spread();
+    const double p = spread();
+    worst_F = std::max(worst_F, exact::ulps(R_F(x, y, z), R_F(Fifty(x), Fifty(y), Fifty(z))));
+    worst_D = std::max(worst_D, exact::ulps(R_D(x, y, z), R_D(Fifty(x), Fifty(y), Fifty(z))));
+    worst_J = std::max(worst_J, exact::ulps(R_J(x, y, z, p), R_J(Fifty(x), Fifty(y), Fifty(z), Fifty(p))));
+  }
+  CHECK(worst_F <= 6);
+  CHECK(worst_D <= 8);
+  CHECK(worst_J <= 8);
+}
+
+TEST_CASE("Carlson's integrals agree with GSL's")
+{
+  Spread spread(2);
+  for(int i = 0; i < 100; ++i)
+  {
+    const double x = spread(), y = spread(), z = spread(), p = spread();
+    const char* const because = "GSL stops its series at 10⁻³ of spread and sums a few hundred roundings";
+    CHECK(R_F(x, y, z) == within_relative(gsl_sf_ellint_RF(x, y, z, GSL_PREC_DOUBLE), 2e-14, because));
+    CHECK(R_D(x, y, z) == within_relative(gsl_sf_ellint_RD(x, y, z, GSL_PREC_DOUBLE), 2e-14, because));
+    CHECK(R_J(x, y, z, p) == within_relative(gsl_sf_ellint_RJ(x, y, z, p, GSL_PREC_DOUBLE), 2e-14, because));
+  }
+}
+
+TEST_CASE("Carlson's integrals refuse what they are not defined for")
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(R_F(-1.0, 1.0, 1.0), std::domain_error);
+  CHECK_THROWS_AS(R_F(0.0, 0.0, 1.0), std::domain_error);
+  CHECK_THROWS_AS(R_F(nan, 1.0, 1.0), std::domain_error);
+  CHECK_THROWS_AS(R_F(1.0, 1.0, infinite), std::domain_error);
+  CHECK_THROWS_AS(R_J(1.0, 2.0, 3.0, 0.0), std::domain_error);
+  CHECK_THROWS_AS(R_J(1.0, 2.0, 3.0, -1.0), std::domain_error);
+  CHECK_THROWS_AS(R_J(1.0, 2.0, 3.0, nan), std::domain_error);
+  CHECK_THROWS_AS(R_D(1.0, 2.0, 0.0), std::domain_error);
+}
+
+TEST_CASE("the accelerations fulfil Euler's equations, whatever the friction")
+{
+  const Ball<Fifty> ball{1, Fifty("0.1"), Fifty("0.6")};
+  const Fifty g("15.625"), Phi("1.1"), w("4");
+  for(const char* ratio : {"0", "0.3", "-0.3", "1"})
+  {
+    const Fifty lambda(ratio);
+    const auto [ddx, ddy, ddPhi, pressure] = accelerations(ball, g, Phi, w, lambda);
+    const char* const because = "a dozen roundings of fifty digits, of numbers below 100";
+    CHECK(ddx / (2 * g) == within(-lambda * pressure, 1e-46, because));
+    CHECK(ddy / (2 * g) == within(pressure - 1, 1e-46, because));
+    const Fifty moment = lambda * pressure * (ball.a - ball.c * cos(Phi)) - pressure * ball.c * sin(Phi);
+    CHECK(ball.k * ball.k * ddPhi / (2 * g) == within(moment, 1e-46, because));
+    CHECK(ddy == within(ball.c * ddPhi * sin(Phi) + ball.c * w * w * cos(Phi), 1e-46, because));
+  }
+}
+
+TEST_CASE("below the stated friction the accelerations are determined at every angle")
+{
+  const Ball<double> ball{1, 0.9, 0.01};
+  const double limit = 2 * ball.k / (ball.a + ball.c);
+  for(double Phi = 0; Phi < 6.28; Phi += 1e-3)
+    for(const double lambda : {-0.999 * limit, 0.999 * limit})
+      CHECK(accelerations(ball, 15.625, Phi, 0.0, lambda).pressure > 0);
+}
+
+TEST_CASE("the time to the top is its integral, from a centred ball to a very eccentric one")
+{
+  for(const char* ratio : {"0", "1e-30", "0.01", "0.1666", "1", "3"})
+    for(const char* angle : {"1e-20", "0.01", "0.7", "1.5"})
+    {
+      const Fifty c(ratio), k = 1, omega(angle);
+      const Fifty time = time_by_integral(c, k, omega);
+      CHECK(separatrix_time(c, k, omega) == within_relative(time, 1e-37, "the oracle's own bound"));
+    }
+}
+
+TEST_CASE("the time to the top in double keeps what it promises")
+{
+  Spread spread(6);
+  std::mt19937_64 engine(1787);
+  std::uniform_real_distribution<double> exponent(-300, std::log10(1.5));
+  double worst = 0;
+  for(int i = 0; i < 500; ++i)
+  {
+    const double c = std::min(spread(), 1e6), k = 1, omega = std::pow(10.0, exponent(engine));
+    worst = std::max(worst, exact::ulps(separatrix_time(c, k, omega), separatrix_time<Fifty>(c, k, omega)));
+  }
+  CHECK(worst <= 10);
+  CHECK_THROWS_AS(separatrix_time(0.1, 0.6, 0.0), std::domain_error);
+  CHECK_THROWS_AS(separatrix_time(0.1, 0.6, -0.1), std::domain_error);
+  CHECK_THROWS_AS(separatrix_time(0.1, 0.6, 1.6), std::domain_error);
+  CHECK_THROWS_AS(separatrix_time(0.1, 0.0, 0.7), std::domain_error);
+  CHECK_THROWS_AS(separatrix_time(-0.1, 0.6, 0.7), std::domain_error);
+  CHECK_THROWS_AS(separatrix_time(std::nan(""), 0.6, 0.7), std::domain_error);
+}
+
+TEST_CASE("a Gauss rule is exact below twice its nodes, and not at it")
+{
+  const Gauss four(4);
+  const auto power = [](int n) { return [n](double x) { return std::pow(x, n); }; };
+  CHECK(four(power(7), 0, 1) == within_ulps(0.125, 4, "four rounded products"));
+  CHECK(std::abs(four(power(8), 0, 1) - 1.0 / 9) > 1e-6);
+  CHECK_THROWS_AS(Gauss(0), std::invalid_argument);
+}
