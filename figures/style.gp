@@ -44,7 +44,7 @@ set linetype cycle 7
 
 set border 3 linecolor rgb ink linewidth 0.8
 set tics nomirror out scale 0.5 textcolor rgb ink
-set grid linecolor rgb faint linewidth 0.7 dashtype solid
+set grid linetype 1 linecolor rgb faint linewidth 0.7 dashtype 1
 set xlabel textcolor rgb ink
 set ylabel textcolor rgb ink offset 1, 0
 set style textbox opaque noborder fillcolor rgb paper margins 0.4, 0.2

@@ -1,0 +1,17 @@
+# Lets a section's program speak, and keeps what it says in TOLD: NAME.txt, NAME.json, its data, and last NAME.check.json.
+function(hear file)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${TOLD}/${file} RESULT_VARIABLE status)
+  if(NOT status EQUAL 0 AND NOT (status EQUAL 1 AND "--check" IN_LIST ARGN))  # a check that fails is told as failing
+    message(FATAL_ERROR "${NAME} ${ARGN} ended with ${status}")
+  endif()
+endfunction()
+
+file(MAKE_DIRECTORY ${TOLD})
+file(GLOB old ${TOLD}/${NAME}.*)
+if(old)
+  file(REMOVE ${old})
+endif()
+hear(${NAME}.txt)
+hear(${NAME}.json --json)
+hear(${NAME}.files --data ${TOLD})
+hear(${NAME}.check.json --check --json)

@@ -1,0 +1,47 @@
+// Draws a section's races, error against time, from what its program told and the run recorded in book/speeds.
+// Usage: node race.mjs SOURCE BUILD PROGRAM GNUPLOT.
+import { spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
+
+const [source, build, program, gnuplot] = process.argv.slice(2);
+const json = (...file) => JSON.parse(fs.readFileSync(path.join(...file), 'utf8'));
+const told = json(build, `told/${program}.json`);
+const recorded = json(source, `book/speeds/${program}.json`);
+const floor = 1e-17; // where an error of nothing is drawn
+
+/** Those that no other beats both in time and in error, from the quickest to the most exact. */
+const front = (points) => [...points].sort((a, b) => a.seconds - b.seconds || a.error - b.error)
+  .filter((p, i, all) => all.slice(0, i).every((q) => q.error > p.error));
+
+/** Heights for the names, so that those near each other in both directions do not overlap. */
+function spread(points) {
+  const placed = [];
+  for (const p of [...points].sort((a, b) => a.error - b.error)) {
+    let height = Math.log10(p.error);
+    for (const q of [...placed].sort((a, b) => a.height - b.height))
+      if (Math.abs(Math.log10(p.seconds / q.seconds)) < 1.3 && Math.abs(q.height - height) < 0.85) height = q.height + 0.85;
+    placed.push({ ...p, height });
+  }
+  return placed;
+}
+
+for (const race of told.races) {
+  const times = recorded.races.find((r) => r.name === race.name)?.methods ?? [];
+  const points = race.methods.flatMap((m) => {
+    const time = times.find((t) => t.name === m.name);
+    return time && Number.isFinite(m.relative) ? [{ name: m.name, family: m.family, seconds: time.seconds, error: Math.max(m.relative, floor) }] : [];
+  });
+  if (!points.length) continue;
+  const families = [...new Set(points.map((p) => p.family).filter(Boolean))];
+  const block = (list) => `name\tseconds\terror\theight\n${list.map((p) => `${p.name}\t${p.seconds}\t${p.error}\t${10 ** (p.height ?? 0)}\n`).join('')}`;
+  const labelled = spread(points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)));
+  const data = path.join(build, `told/${program}.race-${race.name}.tsv`);
+  fs.writeFileSync(data, [points, front(points), labelled, ...families.map((f) => points.filter((p) => p.family === f))].map(block).join('\n\n'));
+  const out = path.join(build, `drawn/${program}.race-${race.name}.svg`);
+  fs.mkdirSync(path.dirname(out), { recursive: true });
+  const run = spawnSync(gnuplot, ['-e', `data='${path.dirname(data)}'; race='${path.basename(data, '.tsv')}'; families=${families.length}; out='${out}'`,
+    'figures/race.gp'], { cwd: source, encoding: 'utf8' });
+  if (run.status !== 0 || run.stderr) throw new Error(`figures/race.gp: ${run.stderr}`);
+}
+fs.writeFileSync(path.join(build, `drawn/${program}.races`), '');
