@@ -80,13 +80,12 @@ TELL
   const double sine = std::sin(swing_.zeta / 2);
   const double exact = swing::ratio({swing_.zeta, swing_.eta});
   const double kept = series(sine * sine, n);
-  const Fifty semicircle = ratio_by_mean(exact::pi() / 2);
   tell("d", 2 * b * sine * sine, metres, "the sagitta BD, how high O rises");
-  tell("T_over_Theta", exact, "one swing, the infinitely small swing being 1");
+  tell("T_over_Theta", ratio_by_mean(swing_.eta.fifty()), "one swing, the infinitely small swing being 1");
   tell("kept", kept, "the first n terms of (1)");
   tell("short_by", exact - kept, "what they leave out");
-  tell("semicircle", semicircle, "T/Θ for ζ = 90°, to thirty digits");
-  tell("five_to_six", 1.2 / static_cast<double>(semicircle) - 1, percent, "by how much 5 : 6 is too large");
+  tell("semicircle", ratio_by_mean(exact::pi() / 2), "the same for ζ = 90°");
+  tell("five_to_six", 1.2 / swing::ratio_from_top(90_deg) - 1, percent, "by how much 5 : 6 is too large");
   tell("to_pass_ten", std::exp(10 * std::numbers::pi - landau_constant), "terms of (3) until their sum passes ten");
 }
 
@@ -131,7 +130,7 @@ TELL
   ways.push_back({"arithmetic-geometric mean", [=] { return ratio_by_mean(eta); }});
   ways.push_back({"GSL, of the modulus", [=] { return gsl_sf_ellint_Kcomp(c, GSL_PREC_DOUBLE) * 2 / std::numbers::pi; }});
   ways.push_back({"this edition", [=] { return swing::ratio({zeta, eta}); }});
-  race("ratio", "T/Θ", ratio_by_mean(Fifty(eta)), ways);
+  race("ratio", "T/Θ", ratio_by_mean(swing_.eta.fifty()), ways);
 }
 
 /*!

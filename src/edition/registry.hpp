@@ -32,6 +32,7 @@ struct ParameterEntry
   std::string meaning;
   double value;          ///< In the program's unit: radians for an angle.
   double shown;          ///< In `unit`.
+  bool shown_is_exact;   ///< True where `shown` is the number and `value` its rounding.
   std::string given;     ///< What the reader wrote; empty if nothing.
 };
 

@@ -87,6 +87,14 @@ Parameter<double>::operator double() const
 }
 
 template <>
+Fifty Parameter<double>::fifty() const
+{
+  const ParameterEntry& p = section().parameters[index_];
+  const bool in_degrees = p.type == ParameterEntry::Type::angle && p.shown_is_exact;
+  return in_degrees ? Fifty(p.shown) * exact::pi() / 180 : Fifty(p.value);
+}
+
+template <>
 Parameter<int>::operator int() const
 {
   return static_cast<int>(section().parameters[index_].value);
@@ -95,19 +103,19 @@ Parameter<int>::operator int() const
 Parameter<double> real(const char* name, double default_value, Unit unit, Range range, const char* meaning)
 {
   return Parameter<double>(declare(
-      {name, ParameterEntry::Type::real, unit, range, in_unit(default_value, unit), meaning, 0, 0, {}}));
+      {name, ParameterEntry::Type::real, unit, range, in_unit(default_value, unit), meaning, 0, 0, true, {}}));
 }
 
 Parameter<int> integer(const char* name, int default_value, int lo, int hi, const char* meaning)
 {
   return Parameter<int>(declare(
-      {name, ParameterEntry::Type::integer, none, closed(lo, hi), static_cast<double>(default_value), meaning, 0, 0, {}}));
+      {name, ParameterEntry::Type::integer, none, closed(lo, hi), static_cast<double>(default_value), meaning, 0, 0, true, {}}));
 }
 
 Parameter<double> angle(const char* name, double default_value, Range range, const char* meaning)
 {
   return Parameter<double>(declare(
-      {name, ParameterEntry::Type::angle, degrees, range, tidy_degrees(default_value), meaning, 0, 0, {}}));
+      {name, ParameterEntry::Type::angle, degrees, range, tidy_degrees(default_value), meaning, 0, 0, true, {}}));
 }
 
 AmplitudeParameter amplitude(double default_zeta, Range range)
@@ -148,6 +156,7 @@ void reconcile_amplitude(Section& s)
   ParameterEntry& eta = named("eta");
   const auto follow = [](const ParameterEntry& given, ParameterEntry& other) {
     other.shown = 180 - given.shown;
+    other.shown_is_exact = given.shown_is_exact && 180 - other.shown == given.shown;
     const long double half_turn = std::numbers::pi_v<long double>;
     other.value = static_cast<double>(half_turn - static_cast<long double>(given.shown) / degrees.factor);
   };
@@ -212,6 +221,7 @@ void set_parameter(ParameterEntry& p, const std::string& text)
     refuse(p, text, "is too small for a double");
   if(!p.range.contains(p.value))
     refuse(p, text, "is out of range");
+  p.shown_is_exact = !in_radians;
   p.given = text;
 }
 

@@ -74,6 +74,8 @@ public:
   explicit Parameter(std::size_t index) : index_(index) {}
   /// Its value in this run: the default or what the reader gave. Angles are in radians.
   operator Number() const;
+  /// The same in fifty digits, before it was rounded to a double: 5° is π/36.
+  Fifty fifty() const;
 
 private:
   std::size_t index_;

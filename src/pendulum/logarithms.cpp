@@ -32,13 +32,23 @@ long long whole(const Fifty& x)
   return static_cast<long long>(static_cast<double>(x));
 }
 
+Fifty in_units(const Fifty& x)
+{
+  if(!(x > 0))
+    throw std::domain_error("only a positive number has a logarithm");
+  return log(x) / log(Fifty(10)) * unit;
+}
+
 }  // namespace
 
 SevenPlaces SevenPlaces::of(const Fifty& x)
 {
-  if(!(x > 0))
-    throw std::domain_error("only a positive number has a logarithm");
-  return SevenPlaces(whole(floor(log(x) / log(Fifty(10)) * unit + Fifty(0.5))));
+  return SevenPlaces(whole(floor(in_units(x) + Fifty(0.5))));
+}
+
+SevenPlaces SevenPlaces::cut_off(const Fifty& x)
+{
+  return SevenPlaces(whole(floor(in_units(x))));
 }
 
 Fifty SevenPlaces::number() const
@@ -67,7 +77,7 @@ std::string truncated(const Fifty& x, int places)
   return written(whole(floor(x * power_of_ten(places))), places);
 }
 
-std::string verdict(const std::string& printed, const Fifty& truth)
+std::string verdict(const std::string& printed, const std::string& reckoned, const Fifty& truth)
 {
   std::string digits = printed;
   std::replace(digits.begin(), digits.end(), ',', '.');
@@ -75,6 +85,8 @@ std::string verdict(const std::string& printed, const Fifty& truth)
   const int places = static_cast<int>(digits.size() - point - 1);
   if(rounded(truth, places) == printed)
     return "right";
+  if(printed == reckoned)
+    return "as reckoned";
   const Fifty off = abs(Fifty(digits) - truth) * power_of_ten(places);
   return off <= 2 ? "last place" : "wrong";
 }

@@ -18,6 +18,9 @@ public:
   /// Looks a number up: its logarithm, rounded to seven places. Domain: x > 0, else std::domain_error.
   static SevenPlaces of(const exact::Fifty& x);
 
+  /// The same with the further places cut off, not rounded.
+  static SevenPlaces cut_off(const exact::Fifty& x);
+
   friend SevenPlaces operator+(SevenPlaces a, SevenPlaces b) { return SevenPlaces(a.units_ + b.units_); }
   friend SevenPlaces operator*(int n, SevenPlaces a) { return SevenPlaces(n * a.units_); }
 
@@ -40,8 +43,9 @@ std::string rounded(const exact::Fifty& x, int places);
 /// The same, with the further decimals cut off.
 std::string truncated(const exact::Fifty& x, int places);
 
-/// What is to be said of a printed decimal number (with comma): "right" when the true number rounds to it, "last place" when it is off by
-/// at most two units of its last place, else "wrong".
-std::string verdict(const std::string& printed, const exact::Fifty& truth);
+/// What is to be said of a printed decimal number (with comma), given what honest reckoning writes there and the true number: "right" when
+/// the true number rounds to it; "as reckoned" when it does not, but the reckoning gives just that; "last place" when it is off by at most two
+/// units of its last place; else "wrong".
+std::string verdict(const std::string& printed, const std::string& reckoned, const exact::Fifty& truth);
 
 }  // namespace pendulum
