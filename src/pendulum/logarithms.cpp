@@ -51,6 +51,14 @@ SevenPlaces SevenPlaces::cut_off(const Fifty& x)
   return SevenPlaces(whole(floor(in_units(x))));
 }
 
+SevenPlaces SevenPlaces::as_written(const std::string& text)
+{
+  std::string digits = text;
+  digits.erase(std::remove(digits.begin(), digits.end(), ','), digits.end());
+  const long long units = std::stoll(digits);
+  return SevenPlaces(units < 5 * unit ? units : units - 10 * unit);
+}
+
 Fifty SevenPlaces::number() const
 {
   return pow(Fifty(10), Fifty(units_) / unit);

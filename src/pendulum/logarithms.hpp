@@ -20,6 +20,8 @@ public:
 
   /// The same with the further places cut off, not rounded.
   static SevenPlaces cut_off(const exact::Fifty& x);
+  /// Takes a logarithm as it stands on the paper: "9,8408253". One with ten added counts as negative from 5 upwards.
+  static SevenPlaces as_written(const std::string& text);
 
   friend SevenPlaces operator+(SevenPlaces a, SevenPlaces b) { return SevenPlaces(a.units_ + b.units_); }
   friend SevenPlaces operator*(int n, SevenPlaces a) { return SevenPlaces(n * a.units_); }
