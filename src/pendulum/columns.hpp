@@ -1,8 +1,9 @@
 /// @file
-/// Euler's triangular array for the time of a descent from near the top (§§17–28): its rows, its columns, what the columns sum to.
+/// Euler's triangular array for the time of a descent from near the top (§§17–28): its rows, its columns, and
+/// what the columns sum to.
 ///
-/// α = ½η is half the angle from the top at which the descent begins, x = sin²α, and the time of the whole descent in units
-/// √(b/2g) is K(cos α). With a_n = ½·¾···(2n−1)/2n the array is
+/// α = ½η is half the angle from the top at which the descent begins, x = sin²α, and the time of the whole
+/// descent in units √(b/2g) is K(cos α). With a_n = ½·¾···(2n−1)/2n the array is
 ///
 ///     K(cos α) = Σ_m a_m J_m,    J_m = sin²ᵐα ∫ dω/sin²ᵐ⁺¹ω from α to 90°                (rows)
 ///              = l cot ½α · Σ a_n² xⁿ + cos α · Σ_j S_j x^j,    S_j = Σ_m entry(m, j)    (columns)
@@ -19,7 +20,8 @@ namespace pendulum
 {
 
 // [log_cot_half]
-/// l cot ½α, which is also artanh cos α. Domain: 0 < α ≤ 90°, radians. Real: double (to 3 ulp) or exact::Fifty.
+/// l cot ½α, which is also artanh cos α. Domain: 0 < α ≤ 90°, radians. Real: double (to 3 ulp) or
+/// exact::Fifty.
 template <class Real>
 Real log_cot_half(Real alpha)
 {
@@ -29,9 +31,9 @@ Real log_cot_half(Real alpha)
 // [log_cot_half]
 
 // [scaled_integral]
-/// J_m, the integral of dω/sin²ᵐ⁺¹ω from α to 90° times sin²ᵐα, by Euler's reduction with the powers taken out: nothing overflows,
-/// all terms are positive, and what is carried on shrinks. Domain: 0 < α ≤ 90°, radians; m ≥ 0. In double to 4 ulp for α ≤ 75°, whatever m is;
-/// towards 90° the rounding of sin²α costs up to m/6 ulp.
+/// J_m, the integral of dω/sin²ᵐ⁺¹ω from α to 90° times sin²ᵐα, by Euler's reduction with the powers taken
+/// out: nothing overflows, and all terms are positive. Domain: 0 < α ≤ 90°, radians; m ≥ 0. In double to
+/// 3/cos²α ulp whatever m is: a step errs by an ulp or two and hands sin²α of its error on.
 template <class Real>
 Real scaled_integral(int m, Real alpha)
 {
@@ -45,8 +47,8 @@ Real scaled_integral(int m, Real alpha)
 // [scaled_integral]
 
 // [sum_by_rows]
-/// The array summed by its rows from 0 to `rows` − 1. It falls short of K(cos α) by about 1/√(π rows), however small α.
-/// Domain: 0 < α ≤ 90°, radians; rows ≥ 0.
+/// The array summed by its rows from 0 to `rows` − 1. It falls short of K(cos α) by about 1/√(π rows),
+/// however small α. Domain: 0 < α ≤ 90°, radians; rows ≥ 0.
 template <class Real>
 Real sum_by_rows(Real alpha, int rows)
 {
@@ -65,13 +67,15 @@ Real sum_by_rows(Real alpha, int rows)
 }
 // [sum_by_rows]
 
-/// The coefficient of cos α sin²ʲα in row m of the array, a_m²/(2(m−j) a_{m−j}), exactly. Domain: 0 ≤ j < m, else std::domain_error.
+/// The coefficient of cos α sin²ʲα in row m of the array, a_m²/(2(m−j) a_{m−j}), exactly.
+/// Domain: 0 ≤ j < m, else std::domain_error.
 exact::Rational entry(int m, int j);
 
 // [column_sums]
 /// The first sums S_0, S_1, ... of the columns that have cos α as a factor, by the recurrence of §28
 /// (j+1)² S_{j+1} = (2j² + 2j + ¾) S_j − j² S_{j−1} − j a_j²/4(j+1), from S_0 = ln 2 and S_1 = ¾ ln 2.
-/// The error in double grows in proportion to j: below 10⁻¹³ at j = 100, 10⁻¹² at j = 1000. Domain: count ≥ 0.
+/// The relative error in double grows in proportion to j: below 10⁻¹³ at j = 100, 10⁻¹² at j = 1000.
+/// Domain: count ≥ 0.
 template <class Real>
 std::vector<Real> column_sums(int count)
 {
@@ -84,9 +88,9 @@ std::vector<Real> column_sums(int count)
   {
     S.push_back(now);
     const Real jj = Real(j) * j;
-    const Real next = ((2 * jj + 2 * j + 0.75) * now - jj * before - j * a * a / (4 * (j + 1))) / ((Real(j) + 1) * (j + 1));
+    const Real next = (2 * jj + 2 * j + 0.75) * now - jj * before - j * a * a / (4 * (j + 1));
     before = now;
-    now = next;
+    now = next / (jj + 2 * j + 1);
     a *= Real(2 * j + 1) / (2 * j + 2);
   }
   return S;
@@ -107,9 +111,9 @@ struct ColumnSum
 std::vector<ColumnSum> exact_column_sums(int count);
 
 // [sum_by_columns]
-/// The array summed by its columns: the logarithmic one whole, and the first `columns` of the others. What is missing lies between
-/// S_J x^J cos α/(1 − x S_{J+1}/S_J) and S_J x^J/cos α, J = columns. Domain: 0 < α < 90°, radians; columns ≥ 0.
-/// In double to 4 ulp for α ≤ 75°.
+/// The array summed by its columns: the logarithmic one whole, and the first `columns` of the others. With
+/// J = columns, what is missing lies between S_J x^J cos α/(1 − x S_{J+1}/S_J) and S_J x^J/cos α.
+/// Domain: 0 < α < 90°, radians; columns ≥ 0. In double to 4 ulp for α ≤ 75°.
 template <class Real>
 Real sum_by_columns(Real alpha, int columns)
 {
@@ -125,8 +129,8 @@ Real sum_by_columns(Real alpha, int columns)
 // [sum_by_columns]
 
 // [sum_with_one_logarithm]
-/// The whole array in one column, K(cos α) = Σ a_n² xⁿ (ln(4/sin α) − r_n) with r_n = Σ 2/((2i+1)(2i+2)), i < n; the first `terms`
-/// terms. Domain: 0 < α < 90°, radians; terms ≥ 0.
+/// The whole array in one column, K(cos α) = Σ a_n² xⁿ (ln(4/sin α) − r_n) with r_n = Σ 2/((2i+1)(2i+2)), i <
+/// n: its first `terms` terms. Domain: 0 < α < 90°, radians; terms ≥ 0.
 template <class Real>
 Real sum_with_one_logarithm(Real alpha, int terms)
 {
@@ -147,8 +151,8 @@ Real sum_with_one_logarithm(Real alpha, int terms)
 // [sum_with_one_logarithm]
 
 // [half_versine]
-/// q = ½(1 − √(1−vv)), of which D, V and W below are functions; the root is given too, since near v = 1 it cannot be had from v.
-/// Domain: 0 ≤ v ≤ 1, root = √(1−vv). Then 0 ≤ q ≤ ½, and q is good to 2 ulp.
+/// q = ½(1 − √(1−vv)), of which D, V and W below are functions; the root is given too, since near v = 1 it
+/// cannot be had from v. Domain: 0 ≤ v ≤ 1, root = √(1−vv). Then 0 ≤ q ≤ ½, and q is good to 2 ulp.
 template <class Real>
 Real half_versine(Real v, Real root)
 {
@@ -156,7 +160,7 @@ Real half_versine(Real v, Real root)
 }
 // [half_versine]
 
-/// √(1−vv) for 0 ≤ v ≤ 1, without cancellation.
+/// √(1−vv), to 2 ulp. Domain: 0 ≤ v ≤ 1.
 template <class Real>
 Real root_of(Real v)
 {
@@ -165,7 +169,7 @@ Real root_of(Real v)
 }
 
 // [D]
-/// D(v) = l 2 − l(1+√(1−vv)) = Σ a_n v²ⁿ/2n, n ≥ 1 (§22). Domain as half_versine(); in double to 4 ulp, however small v.
+/// D(v) = l 2 − l(1+√(1−vv)) = Σ a_n v²ⁿ/2n, n ≥ 1 (§22). Domain as half_versine(); in double to 4 ulp.
 template <class Real>
 Real D(Real v, Real root)
 {
@@ -188,8 +192,9 @@ Real V(Real v, Real root)
 // [V]
 
 // [W]
-/// W(v) = ∫V dv/v − ¼ l v = Σ a_{n+1}² v²ⁿ/(2n a_n), n ≥ 1 (§§24–27), W(1) = ¾ l 2. Domain as half_versine(); in double to 6 ulp:
-/// the infinite parts are cancelled by hand, and what is left of the logarithm, −l(1−q) − q − ½qq, is summed as a series.
+/// W(v) = ∫V dv/v − ¼ l v = Σ a_{n+1}² v²ⁿ/(2n a_n), n ≥ 1 (§§24–27), W(1) = ¾ l 2. Domain as half_versine();
+/// in double to 6 ulp: the infinite parts are cancelled by hand, and what is left of the logarithm,
+/// −l(1−q) − q − ½qq, is summed as a series.
 template <class Real>
 Real W(Real v, Real root)
 {
@@ -202,7 +207,8 @@ Real W(Real v, Real root)
 }
 // [W]
 
-/// D(v), V(v), W(v) where v is not so near 1 that √(1−vv) must be known better than v tells. Domain: 0 ≤ v ≤ 1.
+/// D(v), V(v), W(v) where v is not so near 1 that √(1−vv) must be known better than v tells. Domain: 0 ≤ v ≤
+/// 1.
 template <class Real>
 Real D(Real v)
 {
