@@ -237,6 +237,7 @@ Ten terms for the semicircle leave out {{R|8}}, and {{eq 10}} knows it beforehan
 
 ::: figure pendulum-08
 alt: What is left out against the number of terms, both logarithmic, at 30, 90, 150 and 175 degrees.
+
 What $N$ terms of {{eq 8}} leave out. The shaded bands are the geometric bounds {{eq 9}}: close for a small
 swing, useless for a wide one until the terms have begun to fail. The two bounds {{eq 10}} are drawn as dots;
 no eye can part them from one another or from the curve.

@@ -131,6 +131,7 @@ a 1 would do as well. A clock with this pendulum would gain {{gained|2}} seconds
 
 ::: figure pendulum-09
 alt: Time of a swing against length, both logarithmic: parallel lines for 0, 90, 150 and 175 degrees.
+
 The times are as the square roots of the lengths, and not only for small swings: the lines for all amplitudes
 are parallel. The points are seconds pendulums: the wider the swing, the shorter the pendulum has to be.
 :::

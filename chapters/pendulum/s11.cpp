@@ -140,6 +140,7 @@ half from one to the next, so that a handful is soon enough; at 150° they fall 
 ::: figure pendulum-11
 alt: The ratio T/Θ against the amplitude. It leaves 1 slowly, passes 1.18 at 90 degrees and climbs steeply to infinity at 180 degrees. The sum of
 five terms follows it up to about 100 degrees and then stays behind, ending at 1.6.
+
 The time of one swing, in units of the infinitely small swing, against the amplitude. Five terms of {{eq 1}} serve to a little beyond
 the semicircle. Near the top the time grows like $\frac2\pi\ln(8/\eta)$, so slowly that at 179° it is not yet four times what it was.
 :::
@@ -147,6 +148,7 @@ the semicircle. Near the top the time grows like $\frac2\pi\ln(8/\eta)$, so slow
 ::: figure pendulum-11-sums
 alt: Sums of the series against the number of terms, on a logarithmic scale. All curves begin on one straight line; the one for 90 degrees leaves it after
 a few terms, those for 150, 170 and 178 degrees later, the one for 180 degrees never.
+
 How the sums of {{eq 1}} grow with the number of terms. Every amplitude begins on the same straight line, which is the divergent
 series {{eq 3}}; the wider the swing, the later its terms begin to fail and the sum turns off to its value. For 180° it never does, but
 it is in no hurry: to pass 10 it needs {{to_pass_ten|e4}} terms.

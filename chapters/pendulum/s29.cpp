@@ -113,6 +113,7 @@ seconds pendulum, the swing takes {{T_mended|6}} s.
 ::: figure pendulum-29
 alt: T over Theta against eta from 0 to 90 degrees. The exact curve and the mended formula lie on each other up to about 40 degrees; the printed formula runs
 far above both, everywhere higher by more than a half.
+
 The printed law {{eq 2}}, the mended one {{eq 3}} and the truth. The printed law is not off by a small correction but by $\pi/2$ throughout;
 the mended one leaves the truth only when the columns that Euler dropped begin to matter.
 :::

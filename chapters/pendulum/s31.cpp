@@ -99,6 +99,7 @@ saved him. The paper does not tell.
 ::: figure pendulum-31
 alt: The product against the factor, a rising line. A band shows the products that round to 3.82675. The true factor 1.0004762 lies in the band, the printed
 factor 1.0004801 above it.
+
 Which factors lead to the printed product: those whose point lies in the band. The true factor does, the printed one does not.
 :::
 

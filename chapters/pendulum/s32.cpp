@@ -86,6 +86,7 @@ The third member is {{third|3}}, and all that is left out after it comes to {{le
 ::: figure pendulum-32
 alt: The sizes of the three members and of what is left out, against eta from half a degree to 60 degrees, both scales logarithmic. The first two are of order one; the
 third rises as the square of eta, the rest as its fourth power.
+
 How large the members are. The third grows as the square of the angle, what Euler leaves out as its fourth power: at 5° it is the sixth decimal,
 at 20° already the third.
 :::

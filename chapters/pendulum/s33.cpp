@@ -130,6 +130,7 @@ the fifth decimal.
 ::: figure pendulum-33
 alt: The angle of the pendulum against time for one swing from minus 175 to plus 175 degrees. It lingers near the ends, passes the lowest point in the middle and
 comes to rest at 2.88 seconds. A mark at 4.52 seconds, well to the right, shows where Euler's time ends.
+
 The swing of 350° of a seconds pendulum, from rest to rest. It is over after 2,88 s; Euler's time ends far beyond.
 :::
 
