@@ -1,4 +1,5 @@
 # Lets a section's program speak, and keeps what it says in TOLD: NAME.txt, NAME.json, its data, and last NAME.check.json.
+cmake_minimum_required(VERSION 3.22)
 function(hear file)
   execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${TOLD}/${file} RESULT_VARIABLE status)
   if(NOT status EQUAL 0 AND NOT (status EQUAL 1 AND "--check" IN_LIST ARGN))  # a check that fails is told as failing

@@ -1,4 +1,5 @@
 # Draws a figure. Whatever gnuplot says is a fault: it warns of missing columns and draws on.
+cmake_minimum_required(VERSION 3.22)
 get_filename_component(folder ${OUT} DIRECTORY)
 file(MAKE_DIRECTORY ${folder})
 execute_process(COMMAND ${GNUPLOT} -e "data='${DATA}'; out='${OUT}'" ${SCRIPT} RESULT_VARIABLE status ERROR_VARIABLE said)

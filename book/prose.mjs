@@ -192,7 +192,7 @@ export class Page {
     }
     const figure = /^figure (\S+)$/.exec(kind)?.[1];
     if (!figure) throw new Error(`::: ${kind} is not known (margin, code FILE NAME, figure NAME, no-figure)`);
-    const [, alternative, caption] = /^alt: *([^]*?)\n\s*\n([^]*)$/.exec(text) ?? /^alt: *(.*\.)\n([^]*)$/.exec(text) ?? [];
+    const [, alternative, caption] = /^alt: *([^]*?)\n\s*\n([^]*)$/.exec(text) ?? [];
     if (!caption?.trim()) throw new Error(`::: figure ${figure} needs "alt: ...", an empty line, and a caption`);
     this.figures.push(figure);
     return this.book.figure(figure, alternative.replace(/\s+/g, ' '), this.inline(caption.trim()), this);
