@@ -14,7 +14,7 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-He adds up the members and has the time of one whole swing,
+He adds up the members and finds that a swing through 350° takes four times and a half as long as a small one:
 
 $$ T = (3{,}82675 + 0{,}69249 + 0{,}00099)\,\Theta = 4{,}52023\,\Theta. \tag{1} $$
 
