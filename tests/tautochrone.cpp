@@ -176,6 +176,7 @@ TEST_CASE("what is no pendulum on cheeks is refused")
 {
   CHECK_THROWS_AS(highest_end(0), std::domain_error);
   CHECK_THROWS_AS(highest_end(1), std::domain_error);
+  CHECK_THROWS_AS(highest(Fifty("1e-10"), Fifty(1)), std::domain_error);
   CHECK_THROWS_AS(highest(Fifty("0.3"), Fifty(1)), std::domain_error);  // the curve ends before
   CHECK_THROWS_AS(highest(Fifty("0.3"), Fifty(-1)), std::domain_error);
   CHECK_THROWS_AS(highest(Fifty("0.3"), {Fifty("0.5"), Fifty("0.4")}), std::domain_error);

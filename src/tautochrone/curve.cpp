@@ -12,12 +12,6 @@ namespace
 
 using exact::Fifty;
 
-// Two neighbouring tautochrones differ nearly as the power 1/kk of exp(contraction(φ)).
-Fifty contraction(const Fifty& phi)
-{
-  return log(sin(phi)) - sin(phi) * sin(phi) / 2;
-}
-
 // A tautochrone through the larger radius at which dr = 0 for the angle phi: it ends there.
 Point ending_at(const Fifty& k, const Fifty& phi)
 {
@@ -29,20 +23,25 @@ Point ending_at(const Fifty& k, const Fifty& phi)
 Point beginning(const Fifty& k, const Fifty& phi)
 {
   const Point end = highest_end(k);
-  const Fifty enough = contraction(phi) + 80 * k * k;
-  if (contraction(end.phi) <= enough)
+  const Fifty enough = falling(phi) - 80 * k * k;
+  if (falling(end.phi) >= enough)
     return end;
   Fifty lower = phi;
   Fifty upper = end.phi;
-  while (contraction(upper) - enough > k * k)
+  while (enough - falling(upper) > k * k)
   {
     const Fifty middle = (lower + upper) / 2;
-    (contraction(middle) < enough ? lower : upper) = middle;
+    (falling(middle) > enough ? lower : upper) = middle;
   }
   return ending_at(k, upper);
 }
 
 }  // namespace
+
+Fifty falling(const Fifty& phi)
+{
+  return (sin(phi) * sin(phi) - 1) / 2 - log(sin(phi));
+}
 
 Point highest_end(const Fifty& k)
 {
@@ -53,8 +52,16 @@ Point highest_end(const Fifty& k)
 
 std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
 {
+  if (k < Fifty("1e-9"))
+    throw std::domain_error("k/a is too small to follow the curve: " + k.str(6));
   const Point end = highest_end(k);
-  const auto right_side = [&](const Fifty& phi, const exact::State& r) { return exact::State{slope(phi, r[0], k)}; };
+  const Fifty kk = k * k;
+  const auto versine = [](const Fifty& phi) { return 2 * sin(phi / 2) * sin(phi / 2); };
+  // The slope with respect to h = 1 - cos φ: no sine is left in it.
+  const auto right_side = [&](const Fifty& h, const exact::State& r) {
+    const Fifty u = kk + r[0] * r[0];
+    return exact::State{u * (u - (1 + kk) * r[0] * (1 - h)) / (kk * (1 + kk) * h * (2 - h))};
+  };
   std::vector<Fifty> radii;
   Point at = end;
   for (auto phi = angles.rbegin(); phi != angles.rend(); ++phi)
@@ -65,7 +72,7 @@ std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
     if (radii.empty() || start.phi < at.phi)
       at = start;
     if (*phi != at.phi)
-      at.r = solve(right_side, at.phi, {at.r}, *phi, Fifty("1e-30")).y[0];
+      at.r = solve(right_side, versine(at.phi), {at.r}, versine(*phi), Fifty("1e-30")).y[0];
     at.phi = *phi;
     radii.push_back(at.r);
   }

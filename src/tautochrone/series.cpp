@@ -32,6 +32,7 @@ std::vector<exact::Laurent<Number>> corrections(int last)
   std::vector<Polynomial> r = {c};
   std::vector<Polynomial> u = {c * c};
   Polynomial dr_sin;  // of the order n - 1
+  // [corrections]
   for (int n = 1; n <= last; ++n)
   {
     r.emplace_back(0);
@@ -42,6 +43,7 @@ std::vector<exact::Laurent<Number>> corrections(int last)
     r.back() = -rest / (c * c * c);
     u.back() += 2 * c * r.back();
   }
+  // [corrections]
   return r;
 }
 

@@ -10,8 +10,8 @@ using exact::Fifty;
 Fifty excess(const std::function<Fifty(const Fifty&)>& r, const std::function<Fifty(const Fifty&)>& x, const Fifty& k,
              const Fifty& phi0)
 {
-  if (!(phi0 > 0 && phi0 < exact::pi() / 2 && k >= 0))
-    throw std::domain_error("a swing needs 0 < φ₀ < 90° and k ≥ 0");
+  if (!(phi0 >= Fifty("1e-4") && phi0 < exact::pi() / 2 && k >= 0))
+    throw std::domain_error("a swing needs 0.0001 ≤ φ₀ < ½π and k ≥ 0");
   const Fifty c = x(phi0);
   const Fifty small_swing = exact::pi() * sqrt(2 * (1 + k * k));
   Fifty before;
