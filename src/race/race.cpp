@@ -55,7 +55,7 @@ std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
     for (std::size_t turn = 0; turn < n; ++turn)
     {
       const std::size_t i = (round + turn) % n;
-      const double evaluations = static_cast<double>(repetitions[i]) * static_cast<double>(entrants[i].evaluations);
+      const auto evaluations = static_cast<double>(repetitions[i] * entrants[i].evaluations);
       times[i].push_back(seconds_of(entrants[i], repetitions[i]) / evaluations);
     }
 
@@ -65,8 +65,8 @@ std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
     std::vector<double> ratios;
     for (std::size_t round = 0; round < times[i].size(); ++round)
       ratios.push_back(times[i][round] / times[0][round]);
-    timings.push_back({entrants[i].name, median(times[i]), *std::min_element(times[i].begin(), times[i].end()),
-                       median(ratios)});
+    const double fastest = *std::min_element(times[i].begin(), times[i].end());
+    timings.push_back({entrants[i].name, median(times[i]), fastest, median(ratios)});
   }
   return timings;
 }

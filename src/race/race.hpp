@@ -2,8 +2,8 @@
 /// Several ways to one result, timed against each other in one process.
 ///
 /// A single timing tells little on a machine that does other things too. Here all entrants run in turn, round
-/// after round, so that what disturbs one disturbs all, and what is reported of each is the median: of its own
-/// time, and of its time over that of the first entrant in the same round.
+/// after round, so that what disturbs one disturbs all, and what is reported of each is the median: of its
+/// own time, and of its time over that of the first entrant in the same round.
 #pragma once
 
 #include <cstddef>
@@ -38,9 +38,9 @@ struct Timing
   double ratio;     ///< its time over that of entrant 0, the median over the rounds
 };
 
-/// Times the entrants in interleaved rounds; the one who begins changes from round to round.
-/// Each is first called until a turn's length is known. The result is in the order of the entrants.
-/// An entrant without evaluations or without a function, or fewer than one round, throws std::invalid_argument.
+/// Times the entrants in interleaved rounds; the one who begins changes from round to round. Each is first
+/// called until a turn's length is known. The result is in the order of the entrants. An entrant without
+/// evaluations or without a function, or fewer than one round, throws std::invalid_argument.
 std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options = {});
 
 /// Makes the compiler believe that somebody looks at `value`, so that it must be computed. Costs nothing.

@@ -1,16 +1,100 @@
 #include "swing/time.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
+
+#include "swing/kernels.hpp"
+#include "swing_tables.hpp"
 
 namespace swing
 {
 namespace
 {
 
+constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// The row of a table that starts at 2^lowest and has 64 rows for each doubling; out of range the number is
+// too large.
+template <int lowest>
+unsigned row_of(double x)
+{
+  constexpr std::uint64_t first = static_cast<std::uint64_t>(1023 + lowest) << 6;
+  return static_cast<unsigned>((std::bit_cast<std::uint64_t>(x) >> 46) - first);
+}
+
+// c[1] t + … + c[6] t⁶: what is to be added to the row's value at its centre.
+double beyond_centre(const tables::Row& row, double t)
+{
+  const double t2 = t * t;
+  const double low = row.c[1] + t * row.c[2];
+  const double middle = row.c[3] + t * row.c[4];
+  const double high = row.c[5] + t * row.c[6];
+  return t * (low + t2 * (middle + t2 * high));
+}
+
+// aₙ² = (1·3·5…(2n−1)/2·4·6…2n)² and rₙ = 2/(1·2) + 2/(3·4) + … + 2/((2n−1)2n), the numbers of §8 and §28.
+struct Coefficient
+{
+  double a2;
+  double r;
+};
+
+constexpr int terms = 8;
+
+constexpr std::array<Coefficient, terms> coefficients = [] {
+  std::array<Coefficient, terms> c{};
+  double a = 1;
+  double r = 0;
+  for (std::size_t n = 0; n < terms; ++n)
+  {
+    c[n] = {a * a, r};
+    const double odd = 2.0 * static_cast<double>(n) + 1;
+    a *= odd / (odd + 1);
+    r += 2 / (odd * (odd + 1));
+  }
+  return c;
+}();
+
+// K near the top, Σ aₙ² mⁿ (L − rₙ) with L = ln(4/kc), m = kc² < 1/128. L is given by x and what is still to
+// be added to it, L = ln 4 − factor·ln x + more, so that its leading part can be summed without loss.
+double K_near_top(double x, double factor, double more, double m)
+{
+  double lift = 0;
+  if (x < 0x1p-1022)
+  {
+    x *= 0x1p54;
+    lift = 54;
+  }
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+  const double e = static_cast<double>(static_cast<int>(bits >> 52) - 1023) - lift;
+  const double z = std::bit_cast<double>((bits & 0x000fffffffffffff) | 0x3ff0000000000000);
+  const tables::Row& row = tables::minus_log[row_of<tables::minus_log_lowest>(z)];
+  const double head = tables::ln4_hi - factor * e * tables::ln2_hi;
+  const double value = factor * row.c[0];
+  const double sum = head + value;
+  const double rest = ((head - sum) + value) + (tables::ln4_lo - factor * e * tables::ln2_lo) +
+                      factor * beyond_centre(row, z - row.centre) + more;
+  const double L = sum + rest;
+  double series = 0;
+  for (std::size_t n = terms - 1; n > 0; --n)
+    series = m * (series + coefficients[n].a2 * (L - coefficients[n].r));
+  return sum + (rest + series);
+}
+
+// ln(sin h / h) = −h²/6 − h⁴/180 − h⁶/2835 − …, here with η = 2h < 1/64.
+double K_near_top_of_eta(double eta)
+{
+  const double square = eta * eta;
+  const double s = eta * (0.5 - square * (1.0 / 48 - square / 3840));
+  return K_near_top(eta, 1, (tables::ln2_hi + tables::ln2_lo) + square * (1.0 / 24 + square / 2880), s * s);
+}
 
 void same_length(std::span<const double> in, std::span<double> out)
 {
@@ -35,8 +119,8 @@ double versine(double angle)
   return 2 * s * s;
 }
 
-// Carlson's symmetric integral of the first kind, by duplication until the three arguments differ by so little
-// that seven terms of the series about their mean suffice. All ≥ 0, at most one zero.
+// Carlson's symmetric integral of the first kind, by duplication until the three arguments differ by so
+// little that seven terms of the series about their mean suffice. All ≥ 0, at most one zero.
 double carlson_rf(double x, double y, double z)
 {
   double mean = (x + y + z) / 3;
@@ -74,14 +158,18 @@ Amplitude Amplitude::from_zeta(double zeta)
 {
   if (!(zeta >= 0 && zeta <= pi_hi))
     throw std::domain_error("swing: the amplitude ζ must lie between 0 and π");
-  return {zeta, supplement(zeta)};
+  const double nearly = pi_hi - zeta;
+  const double lost = zeta <= pi_hi / 2 ? (pi_hi - nearly) - zeta : 0;
+  const double eta = nearly + (lost + pi_lo);
+  return {zeta, eta, 0, (nearly - eta) + (lost + pi_lo)};
 }
 
 Amplitude Amplitude::from_eta(double eta)
 {
   if (!(eta >= 0 && eta <= pi_hi))
     throw std::domain_error("swing: the angle η from the top must lie between 0 and π");
-  return {supplement(eta), eta};
+  const Amplitude swapped = from_zeta(eta);
+  return {swapped.eta, swapped.zeta, swapped.eta_rest, 0};
 }
 
 Amplitude Amplitude::from_height(double h)
@@ -118,76 +206,118 @@ double agm(double a, double b)
   return 0.5 * (a + b);
 }
 
-double K_from_complement(double kc)
-{
-  return kc >= 0 && kc <= 1 ? 0.5 * pi_hi / agm(1, kc) : nan;
-}
-
 double K(double k)
 {
-  return K_from_complement(std::sqrt((1 - k) * (1 + k)));
+  const double up = std::abs(k);
+  const double y = 1 - up;
+  const unsigned i = row_of<tables::K_by_modulus_lowest>(y);
+  if (i < tables::K_by_modulus_rows)
+  {
+    const tables::Row& row = tables::K_by_modulus[i];
+    return row.c[0] + beyond_centre(row, up - row.centre);
+  }
+  if (y > 0)
+  {
+    const double m = y * (1 + up);
+    return K_near_top(m, 0.5, 0, m);
+  }
+  return y == 0 ? inf : nan;
+}
+
+double K_from_complement(double kc)
+{
+  const unsigned i = row_of<tables::K_by_complement_lowest>(kc);
+  if (i < tables::K_by_complement_rows && kc <= 1)
+  {
+    const tables::Row& row = tables::K_by_complement[i];
+    return row.c[0] + beyond_centre(row, kc - row.centre);
+  }
+  if (kc > 0 && kc < 1)
+    return K_near_top(kc, 1, 0, kc * kc);
+  return kc == 0 ? inf : nan;
 }
 
 double quarter_time_from_top(double eta)
 {
-  return eta >= 0 && eta <= pi_hi ? K_from_complement(std::sin(eta / 2)) : nan;
+  const unsigned i = row_of<tables::K_by_eta_lowest>(eta);
+  if (i < tables::K_by_eta_rows && eta <= pi_hi)
+  {
+    const tables::Row& row = tables::K_by_eta[i];
+    return row.c[0] + beyond_centre(row, eta - row.centre);
+  }
+  if (eta > 0 && eta < 1)
+    return K_near_top_of_eta(eta);
+  return eta == 0 ? inf : nan;
 }
 
 double quarter_time(Amplitude a) { return quarter_time_from_top(a.eta); }
 
-double ratio_from_top(double eta) { return quarter_time_from_top(eta) * (2 / pi_hi); }
+namespace
+{
 
-double ratio(Amplitude a) { return ratio_from_top(a.eta); }
+// T/Θ where η is given as a sum whose second part is small beside the last place of the first, or nothing.
+double ratio_of(double eta, double rest)
+{
+  const unsigned i = row_of<tables::ratio_by_eta_lowest>(eta);
+  if (i < tables::ratio_by_eta_rows && eta <= pi_hi)
+  {
+    const tables::Row& row = tables::ratio_by_eta[i];
+    return row.c[0] + beyond_centre(row, (eta - row.centre) + rest);
+  }
+  if (eta > 0 && eta < 1)
+  {
+    const double K = K_near_top_of_eta(eta + rest);
+    return K * tables::two_over_pi_hi + K * tables::two_over_pi_lo;
+  }
+  return eta == 0 ? inf : nan;
+}
 
-// The mean falls short of 1 by the sum of all the half differences c₁ + c₂ + …, where c₁ = sin² ¼ζ and each
-// c is the square of the one before over four times its mean: nothing is subtracted from anything near it.
+} // namespace
+
+double ratio_from_top(double eta) { return ratio_of(eta, 0); }
+
+double ratio_from_bottom(double zeta)
+{
+  return zeta >= 0 && zeta <= pi_hi ? ratio_of(pi_hi - zeta, pi_lo) : nan;
+}
+
+double ratio(Amplitude a) { return ratio_of(a.eta, a.eta_rest); }
+
+// Up to 90° by a polynomial in ζ²; beyond, where the excess is no longer small, a subtraction costs three
+// units of the last place.
 double ratio_excess(Amplitude a)
 {
-  double lower = a.complement();
-  if (lower == 0)
-    return std::numeric_limits<double>::infinity();
-  const double quarter = std::sin(a.zeta / 4);
-  double c = quarter * quarter;
-  double short_of_one = c;
-  double upper = 1;
-  double mean = 1 - c;
-  while (c > 1e-17 * short_of_one)
-  {
-    lower = std::sqrt(upper) * std::sqrt(lower);
-    upper = mean;
-    mean = 0.5 * (upper + lower);
-    c = c * c / (4 * mean);
-    short_of_one += c;
-  }
-  return short_of_one / (1 - short_of_one);
+  if (a.zeta > pi_hi / 2)
+    return ratio(a) - 1;
+  const double x = a.zeta * a.zeta;
+  double sum = 0;
+  for (std::size_t j = std::size(tables::excess); j-- > 0;)
+    sum = tables::excess[j] + x * sum;
+  return x * sum;
 }
 
 void K(std::span<const double> k, std::span<double> out)
 {
   same_length(k, out);
-  for (std::size_t i = 0; i < k.size(); ++i)
-    out[i] = K(k[i]);
+  kernels::best().K(k.data(), out.data(), k.size());
 }
 
 void K_from_complement(std::span<const double> kc, std::span<double> out)
 {
   same_length(kc, out);
-  for (std::size_t i = 0; i < kc.size(); ++i)
-    out[i] = K_from_complement(kc[i]);
+  kernels::best().K_from_complement(kc.data(), out.data(), kc.size());
 }
 
-void ratio(std::span<const double> zeta, std::span<double> out)
+void ratio_from_bottom(std::span<const double> zeta, std::span<double> out)
 {
   same_length(zeta, out);
-  for (std::size_t i = 0; i < zeta.size(); ++i)
-    out[i] = zeta[i] >= 0 ? ratio_from_top(supplement(zeta[i])) : nan;
+  kernels::best().ratio(zeta.data(), out.data(), zeta.size());
 }
 
 void ratio_from_top(std::span<const double> eta, std::span<double> out)
 {
   same_length(eta, out);
-  for (std::size_t i = 0; i < eta.size(); ++i)
-    out[i] = ratio_from_top(eta[i]);
+  kernels::best().ratio_from_top(eta.data(), out.data(), eta.size());
 }
 
 // With z = sin ½Φ the time is the integral of dz/√((1 − z²)(k² − z²)); k² − z² is a product of two sines.
@@ -211,8 +341,8 @@ double time_from_rest(double psi, double eta)
   return psi <= pi_hi ? time_from_rest_past(psi - eta, eta) : nan;
 }
 
-// With ω = ½ψ, α = ½η the time is the integral of dω/√(sin² ω − sin² α) from α. Where sin² α is too small to matter
-// beside 1 it is the logarithm of tan ½ω (1 + √(1 − sin² α/sin² ω)) / tan ½α, and nothing underflows.
+// With ω = ½ψ, α = ½η the time is the integral of dω/√(sin² ω − sin² α) from α. Where sin² α is too small to
+// matter beside 1 it is the logarithm of tan ½ω (1 + √(1 − sin² α/sin² ω)) / tan ½α, and nothing underflows.
 double time_from_rest_past(double past, double eta)
 {
   const double psi = eta + past;

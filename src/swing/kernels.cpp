@@ -1,0 +1,406 @@
+// Compiled once for each instruction set, with SWING_VARIANT naming it; see kernels.hpp. Everything but the
+// last function has internal linkage and nothing inline is taken from a library, so that no code made for one
+// processor can be picked by the linker for another. Each function is free of branches: the compiler works on
+// many numbers at once.
+#include "swing/kernels.hpp"
+
+#include <cstdint>
+#include <limits>
+
+#include "swing/time.hpp"
+#include "swing_tables.hpp"
+
+#define SWING_TEXT(x) #x
+#define SWING_NAME(x) SWING_TEXT(x)
+#define SWING_INLINE [[gnu::always_inline]] inline
+
+namespace swing::kernels
+{
+namespace
+{
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint64_t sign_bit = 0x8000000000000000;
+
+SWING_INLINE std::uint64_t bits_of(double x) { return __builtin_bit_cast(std::uint64_t, x); }
+SWING_INLINE double from_bits(std::uint64_t b) { return __builtin_bit_cast(double, b); }
+SWING_INLINE double magnitude(double x) { return from_bits(bits_of(x) & ~sign_bit); }
+SWING_INLINE double with_sign(double x, std::uint64_t sign) { return from_bits(bits_of(x) ^ sign); }
+
+// c[first] + c[first + step] x + …, unrolled.
+template <unsigned first, unsigned step, unsigned n>
+SWING_INLINE double horner(const double (&c)[n], double x)
+{
+  if constexpr (first + step < n)
+    return c[first] + x * horner<first + step, step>(c, x);
+  else
+    return c[first];
+}
+
+// c[0] + c[1] x + …, the even and the odd powers apart: half the wait for one multiplication more.
+template <unsigned n>
+SWING_INLINE double polynomial(const double (&c)[n], double x)
+{
+  return horner<0, 2>(c, x * x) + x * horner<1, 2>(c, x * x);
+}
+
+// sin πr for |r| ≤ ½.
+SWING_INLINE double sine_of_turns(double r)
+{
+  const double x = r * r;
+  return r * (pi_hi + (pi_lo + x * polynomial(tables::sine_of_turns, x)));
+}
+
+// sin ½a for 0 ≤ a ≤ π.
+SWING_INLINE double sine_of_half(double a)
+{
+  const double x = a * a;
+  return a * (0.5 + x * polynomial(tables::sine_of_half, x));
+}
+
+// ln x = e ln 2 + rest, |rest| ≤ ½ ln 2; x a normal positive number.
+struct Log
+{
+  double e;
+  double rest;
+};
+
+SWING_INLINE Log log_of(double x)
+{
+  constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;
+  constexpr std::uint64_t one = 0x3ff0000000000000;
+  const std::uint64_t shifted = bits_of(x) + (one - root_half);
+  const double e = from_bits((shifted >> 52) | 0x4330000000000000) - (0x1p52 + 1023);
+  const double z = from_bits((shifted & 0x000fffffffffffff) + root_half);
+  const double s = (z - 1) / (z + 1);
+  const double x2 = s * s;
+  return {e, s * (2 + x2 * polynomial(tables::log_of_quotient, x2))};
+}
+
+// K as head + tail, where head is free of error: the multiple of ln 2 in ln 4 − ln kc.
+struct Sum
+{
+  double head;
+  double tail;
+};
+
+// `factor` ln kc = e ln 2 + rest and m = kc².
+SWING_INLINE Sum K_formula(double m, Log log, double factor)
+{
+  const double e = log.e / factor;
+  const double ln_m = (2 / factor) * (log.e * (tables::ln2_hi + tables::ln2_lo) + log.rest);
+  const double correction = m * (polynomial(tables::K_plain, m) - ln_m * polynomial(tables::K_with_log, m));
+  return {tables::ln4_hi - e * tables::ln2_hi,
+          (tables::ln4_lo - e * tables::ln2_lo) + (correction - log.rest / factor)};
+}
+
+SWING_INLINE double K_of_modulus(double k)
+{
+  const double m = (1 - k) * (1 + k);
+  const Sum K = K_formula(m, log_of(m), 2);
+  return m > 0 ? K.head + K.tail : m == 0 ? inf : nan;
+}
+
+// Subnormal numbers are made normal before their logarithm is taken.
+constexpr double tiny = 0x1p-1000;
+
+SWING_INLINE Sum K_of_sine(double kc, double lift)
+{
+  Log log = log_of(kc);
+  log.e -= lift;
+  return K_formula(lift > 0 ? 0 : kc * kc, log, 1);
+}
+
+SWING_INLINE double K_of_complement(double kc)
+{
+  const bool lifted = kc < tiny;
+  const Sum K = K_of_sine(lifted ? kc * 0x1p60 : kc, lifted ? 60 : 0);
+  return kc > 0 && kc <= 1 ? K.head + K.tail : kc == 0 ? inf : nan;
+}
+
+// K·2/π, without losing what the sum of head and tail rounds off.
+SWING_INLINE double ratio_of_eta(double eta)
+{
+  const bool lifted = eta < tiny;
+  const Sum K = K_of_sine(sine_of_half(lifted ? eta * 0x1p60 : eta), lifted ? 60 : 0);
+  const double sum = K.head + K.tail;
+  const double lost = (K.head - sum) + K.tail;
+  constexpr double factor = tables::two_over_pi_hi;
+  const double ratio = sum * factor + (sum * tables::two_over_pi_lo + lost * factor);
+  return eta > 0 && eta <= pi_hi ? ratio : eta == 0 ? inf : nan;
+}
+
+SWING_INLINE double ratio_of_zeta(double zeta)
+{
+  return zeta >= 0 && zeta <= pi_hi ? ratio_of_eta((pi_hi - zeta) + pi_lo) : nan;
+}
+
+// e⁻ˣ − 1 and e⁻ˣ for 0 ≤ x ≤ 700.
+struct Exponential
+{
+  double minus_one;
+  double value;
+};
+
+SWING_INLINE Exponential exponential_of_minus(double x)
+{
+  constexpr double inverse = 1 / (tables::ln2_hi + tables::ln2_lo);
+  const double shifted = x * inverse + 0x1.8p52;
+  const double n = shifted - 0x1.8p52;
+  const double r = (n * tables::ln2_hi - x) + n * tables::ln2_lo;
+  const double p = r + (r * r) * polynomial(tables::exponential, r);
+  const double scale = from_bits((1023 - bits_of(shifted)) << 52);
+  return {(scale - 1) + scale * p, scale + scale * p};
+}
+
+// 2 arctan (y/x) for x, y ≥ 0, not both zero.
+SWING_INLINE double twice_arc_tangent(double y, double x)
+{
+  constexpr double tangent_of_eighth = 0.41421356237309503;
+  const bool steep = y > x;
+  const double lesser = steep ? x : y;
+  const double greater = steep ? y : x;
+  const bool middle = lesser > tangent_of_eighth * greater;
+  const double s = (middle ? lesser - greater : lesser) / (middle ? lesser + greater : greater);
+  const double x2 = s * s;
+  const double rest = 2 * (s + s * x2 * polynomial(tables::arc_tangent, x2));
+  const double hi = middle ? pi_hi / 2 : steep ? pi_hi : 0;
+  const double lo = middle ? pi_lo / 2 : steep ? pi_lo : 0;
+  return hi + (lo + (steep ? -rest : rest));
+}
+
+// Where in its half swing the pendulum is: the time is n half swings and r of one, |r| ≤ ½.
+struct Phase
+{
+  double a;            // |r|
+  double to_rest;      // ½ − |r|
+  std::uint64_t sign;  // of r
+  double n;
+  std::uint64_t parity; // the sign that an odd n gives
+};
+
+// The product t·f exactly, by splitting both factors in halves; then n is taken off before the rest is added.
+SWING_INLINE Phase phase_of(const Prepared& p, double t)
+{
+  const double product = t * p.f_hi;
+  const double wide = t * 0x1.0000002p27;
+  const double head = wide - (wide - t);
+  const double tail = t - head;
+  const double lost =
+      (((head * p.f_head - product) + head * p.f_tail + tail * p.f_head) + tail * p.f_tail) + t * p.f_lo;
+  const double shifted = product + 0x1.8p52;
+  const double n = shifted - 0x1.8p52;
+  const double whole = product - n;
+  const double r = whole + lost;
+  const std::uint64_t sign = bits_of(r) & sign_bit;
+  const double r_lost = with_sign((whole - r) + lost, sign);
+  const double a = with_sign(r, sign);
+  return {a, (0.5 - a) - r_lost, sign, n, bits_of(shifted) << 63};
+}
+
+// A positive quotient, its tangent or its value being what is asked.
+struct Quotient
+{
+  double above;
+  double below;
+};
+
+// Below 90°: tan ½Φ = C θ₁(z)/θ₃(z) with z = πr, as a quotient of polynomials in sin² z, C already in the
+// numerator.
+struct Low
+{
+  SWING_INLINE static Quotient tangent(const Prepared& p, double r, double)
+  {
+    const double s = sine_of_turns(r);
+    const double x = s * s;
+    return {s * horner<0, 1>(p.n, x), horner<0, 1>(p.d, x)};
+  }
+  // Φ'(r) = 2kc tan ½Φ(½ − r).
+  SWING_INLINE static double speed(const Prepared& p, double r, double to_rest)
+  {
+    const Quotient q = tangent(p, to_rest, r);
+    return p.velocity_scale * (q.above / q.below);
+  }
+};
+
+// The dual nome: with v = −r ln q', the powers of g = e⁻ᵛ and h = √q'/g are what the theta functions are made
+// of. Neither exceeds 1. Their squares are G and H.
+struct Theta
+{
+  double g;
+  double h;
+  double one_minus_G;
+  double one_minus_H;
+};
+
+SWING_INLINE Theta theta_of(const Prepared& p, double r, double to_rest)
+{
+  const bool upper = to_rest < r;
+  const double v = (upper ? to_rest : r) * p.log_q;
+  const Exponential e = exponential_of_minus(v < 700 ? v : 700);
+  const double other = p.root_q / e.value;
+  const double near = -e.minus_one * (2 + e.minus_one);
+  const double far = (1 - other) * (1 + other);
+  return {upper ? other : e.value, upper ? e.value : other, upper ? far : near, upper ? near : far};
+}
+
+// What remains of a theta function when its first factor, 1 ± G or 1 ± H, is taken out:
+// 1 + y (1 + x + x²) + q² y² (1 + x + … + x⁴) + q⁶ y³ (1 + x + … + x⁶).
+SWING_INLINE double cofactor(const Prepared& p, double x, double y)
+{
+  const double three = 1 + x * (1 + x);
+  const double five = 1 + x * (1 + x * three);
+  const double seven = 1 + x * (1 + x * five);
+  const double q2 = p.q * p.q;
+  return 1 + y * (three + (y * q2) * (five + (y * q2 * q2) * seven));
+}
+
+SWING_INLINE double theta_1(const Prepared& p, const Theta& t)
+{
+  return t.one_minus_G * cofactor(p, t.g * t.g, -p.q * (t.h * t.h));
+}
+SWING_INLINE double theta_2(const Prepared& p, const Theta& t)
+{
+  return (1 + t.g * t.g) * cofactor(p, -(t.g * t.g), p.q * (t.h * t.h));
+}
+SWING_INLINE double theta_3(const Prepared& p, const Theta& t)
+{
+  return (1 + t.h * t.h) * cofactor(p, -(t.h * t.h), p.q * (t.g * t.g));
+}
+SWING_INLINE double theta_4(const Prepared& p, const Theta& t)
+{
+  return t.one_minus_H * cofactor(p, t.h * t.h, -p.q * (t.g * t.g));
+}
+
+// Above 90°: the same quotient in the dual nome, where it is one of hyperbolic functions.
+struct High
+{
+  SWING_INLINE static Quotient tangent(const Prepared& p, double r, double to_rest)
+  {
+    const Theta t = theta_of(p, r, to_rest);
+    return {p.angle_scale * theta_1(p, t), t.g * theta_3(p, t)};
+  }
+  SWING_INLINE static double speed(const Prepared& p, double r, double to_rest)
+  {
+    const Theta t = theta_of(p, r, to_rest);
+    return p.velocity_scale * (t.g * theta_4(p, t)) / theta_2(p, t);
+  }
+};
+
+// Revolving: Φ = 2 am, tan ½Φ = C θ₁(z)/θ₂(z), and Φ' goes as θ₃/θ₄.
+struct Fast
+{
+  SWING_INLINE static Quotient tangent(const Prepared& p, double r, double to_top)
+  {
+    const double s = sine_of_turns(r);
+    const double c = sine_of_turns(to_top);
+    return {p.angle_scale * (s * horner<0, 1>(p.n, s * s)), c * horner<0, 1>(p.n, c * c)};
+  }
+  SWING_INLINE static double speed(const Prepared& p, double r, double to_top)
+  {
+    const double s = sine_of_turns(r);
+    const double c = sine_of_turns(to_top);
+    return p.velocity_scale * (horner<0, 1>(p.d, s * s) / horner<0, 1>(p.d, c * c));
+  }
+};
+
+// The same in the dual nome.
+struct Barely
+{
+  SWING_INLINE static Quotient tangent(const Prepared& p, double r, double to_top)
+  {
+    const Theta t = theta_of(p, r, to_top);
+    return {p.angle_scale * theta_1(p, t), t.g * theta_4(p, t)};
+  }
+  SWING_INLINE static double speed(const Prepared& p, double r, double to_top)
+  {
+    const Theta t = theta_of(p, r, to_top);
+    return p.velocity_scale * (t.g * theta_3(p, t)) / theta_2(p, t);
+  }
+};
+
+// Swinging, the clock started at the bottom or at rest: there Φ is even and what is left to the bottom takes
+// r's place.
+template <class Form, bool from_rest>
+struct Swing
+{
+  SWING_INLINE static double angle(const Prepared& p, double t)
+  {
+    const Phase s = phase_of(p, t);
+    const Quotient q = from_rest ? Form::tangent(p, s.to_rest, s.a) : Form::tangent(p, s.a, s.to_rest);
+    return with_sign(twice_arc_tangent(q.above, q.below), from_rest ? s.parity : s.parity ^ s.sign);
+  }
+  SWING_INLINE static double velocity(const Prepared& p, double t)
+  {
+    const Phase s = phase_of(p, t);
+    const double speed = from_rest ? Form::speed(p, s.to_rest, s.a) : Form::speed(p, s.a, s.to_rest);
+    return with_sign(speed, from_rest ? s.parity ^ s.sign ^ sign_bit : s.parity);
+  }
+  SWING_INLINE static double from_top(const Prepared& p, double t)
+  {
+    const Phase s = phase_of(p, t);
+    const Quotient q = from_rest ? Form::tangent(p, s.to_rest, s.a) : Form::tangent(p, s.a, s.to_rest);
+    return twice_arc_tangent(q.below, q.above);
+  }
+};
+
+// Going round: a half swing is now a whole turn.
+template <class Form>
+struct Turn
+{
+  SWING_INLINE static double angle(const Prepared& p, double t)
+  {
+    const Phase s = phase_of(p, t);
+    const Quotient q = Form::tangent(p, s.a, s.to_rest);
+    return s.n * (2 * pi_hi) + (s.n * (2 * pi_lo) + with_sign(twice_arc_tangent(q.above, q.below), s.sign));
+  }
+  SWING_INLINE static double velocity(const Prepared& p, double t)
+  {
+    const Phase s = phase_of(p, t);
+    return Form::speed(p, s.a, s.to_rest);
+  }
+  SWING_INLINE static double from_top(const Prepared& p, double t)
+  {
+    const Phase s = phase_of(p, t);
+    const Quotient q = Form::tangent(p, s.a, s.to_rest);
+    return twice_arc_tangent(q.below, q.above);
+  }
+};
+
+// Out of reach the fraction of a half swing is no longer known.
+template <double (*f)(const Prepared&, double)>
+void motion_loop(const Prepared& prepared, const double* t, double* out, std::size_t n)
+{
+  const Prepared p = prepared;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double value = f(p, t[i]);
+    out[i] = magnitude(t[i] * p.f_hi) <= p.reach ? value : nan;
+  }
+}
+
+template <double (*f)(double)>
+void loop(const double* in, double* out, std::size_t n)
+{
+  for (std::size_t i = 0; i < n; ++i)
+    out[i] = f(in[i]);
+}
+
+template <class Course>
+constexpr Table::Questions questions{motion_loop<Course::angle>, motion_loop<Course::velocity>,
+                                     motion_loop<Course::from_top>};
+
+} // namespace
+
+extern const Table SWING_VARIANT;
+const Table SWING_VARIANT = {SWING_NAME(SWING_VARIANT),
+                             loop<K_of_modulus>,
+                             loop<K_of_complement>,
+                             loop<ratio_of_zeta>,
+                             loop<ratio_of_eta>,
+                             {questions<Swing<Low, false>>, questions<Swing<Low, true>>,
+                              questions<Swing<High, false>>, questions<Swing<High, true>>,
+                              questions<Turn<Fast>>, questions<Turn<Barely>>}};
+
+} // namespace swing::kernels

@@ -1,0 +1,74 @@
+/// @file
+/// Where the pendulum is, and how fast: the motion in closed form, for any energy.
+///
+/// Units as in time.hpp: radians, and √(b/2g) for the time. A Motion is prepared once and then asked as often
+/// as wanted:
+///
+///     Motion m(a);                 swinging with the amplitude a, at t = 0 upwards through the lowest point
+///     Motion m(a, Start::rest);    the same, at t = 0 at rest at Φ = ζ
+///     Motion::revolving(excess)    going round, at t = 0 at the lowest point
+///     m.angle(t), m.velocity(t)    Φ and Φ'
+///     m.angle_from_top(t)          π − |Φ|, with all its digits near the top
+///     m.period()                   of the whole motion, there and back or once round
+///
+/// Each is also there for arrays, many times faster. The time is first reduced to a fraction of the swing
+/// with a frequency of 107 bits, so that 10⁶ periods cost no digit.
+#pragma once
+
+#include <span>
+
+#include "swing/kernels.hpp"
+#include "swing/time.hpp"
+
+namespace swing
+{
+
+/// Where the clock starts.
+enum class Start
+{
+  bottom, ///< at the lowest point, moving towards positive angles
+  rest    ///< at rest at Φ = ζ
+};
+
+/// The motion of one pendulum.
+class Motion
+{
+public:
+  /// Swinging between −ζ and ζ. With η = 0 it is the motion that needs for ever to reach the top, Φ = 2
+  /// arctan sinh t; that cannot start from rest there: std::domain_error.
+  explicit Motion(Amplitude a, Start start = Start::bottom);
+
+  /// Going round and round: ½Φ'² + 1 − cos Φ = 2(1 + excess). The angle grows without end.
+  /// Throws std::domain_error unless 0 < excess ≤ 10³⁰⁰.
+  static Motion revolving(double excess);
+
+  /// Φ at the time t. NaN for NaN and when |t| exceeds 2⁵⁰ half swings (10¹⁵⁰ for the motion that ends at the
+  /// top).
+  double angle(double t) const;
+  /// Φ' at the time t, NaN as angle().
+  double velocity(double t) const;
+  /// The angle between the pendulum and the upper vertical at the time t, 0 … π, to full relative precision
+  /// near the top; NaN as angle().
+  double angle_from_top(double t) const;
+
+  /// The same for arrays of times, bit for bit. They throw std::invalid_argument when the spans differ in
+  /// length, and for no other reason.
+  void angle(std::span<const double> t, std::span<double> out) const;
+  void velocity(std::span<const double> t, std::span<double> out) const;
+  void angle_from_top(std::span<const double> t, std::span<double> out) const;
+
+  /// The time of a whole period, there and back or once round; +∞ when the top is just reached.
+  double period() const;
+
+  /// What the loops are given, and which of them; for tests and benchmarks of each variant.
+  const kernels::Prepared& prepared() const { return prepared_; }
+  kernels::Course course() const { return course_; }
+
+private:
+  Motion() = default;
+
+  kernels::Prepared prepared_;
+  kernels::Course course_ = kernels::low;
+};
+
+} // namespace swing
