@@ -89,7 +89,8 @@ TELL
   tell("up", unit * up, seconds, "from AB up to the other side");
   tell("T", unit * (down + up), seconds, "one oscillation");
   tell("dimensionless", down, "t√(2g)/√b");
-  tell("error", down / swing::quarter_time({swing_.zeta, swing_.eta}) - 1, "the relative error of that, from so few parts");
+  const double exact = swing::quarter_time({swing_.zeta, swing_.eta});
+  tell("error", down / exact - 1, "the relative error of that, from so few parts");
 }
 
 /*!
