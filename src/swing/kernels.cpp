@@ -78,56 +78,61 @@ SWING_INLINE Log log_of(double x)
   return {e, s * (2 + x2 * polynomial(tables::log_of_quotient, x2))};
 }
 
-// K as head + tail, where head is free of error: the multiple of ln 2 in ln 4 − ln kc.
-struct Sum
+// What K, or K·2/π, is made of besides a sum of small terms: ln 4 and ln 2 in that unit, the leading parts
+// with so few digits that ln 4 − e ln 2 is free of error.
+struct Unit
 {
-  double head;
-  double tail;
+  double one;
+  double ln4_hi;
+  double ln4_lo;
+  double ln2_hi;
+  double ln2_lo;
 };
 
-// `factor` ln kc = e ln 2 + rest and m = kc².
-SWING_INLINE Sum K_formula(double m, Log log, double factor)
+constexpr Unit plain{1, tables::ln4_hi, tables::ln4_lo, tables::ln2_hi, tables::ln2_lo};
+constexpr Unit quarter_turns{tables::two_over_pi_hi, tables::ratio_ln4_hi, tables::ratio_ln4_lo,
+                             tables::ratio_ln2_hi, tables::ratio_ln2_lo};
+
+// With ln m = power·ln kc, the logarithm being the one of kc or of m as `power` is 2 or 1: m = kc² in either
+// case.
+SWING_INLINE double K_formula(const Unit& unit, double m, Log log, double power)
 {
-  const double e = log.e / factor;
-  const double ln_m = (2 / factor) * (log.e * (tables::ln2_hi + tables::ln2_lo) + log.rest);
+  const double to_kc = power / 2;
+  const double e = to_kc * log.e;
+  const double ln_m = power * (log.e * (tables::ln2_hi + tables::ln2_lo) + log.rest);
   const double correction = m * (polynomial(tables::K_plain, m) - ln_m * polynomial(tables::K_with_log, m));
-  return {tables::ln4_hi - e * tables::ln2_hi,
-          (tables::ln4_lo - e * tables::ln2_lo) + (correction - log.rest / factor)};
+  return (unit.ln4_hi - e * unit.ln2_hi) +
+         ((unit.ln4_lo - e * unit.ln2_lo) + unit.one * (correction - to_kc * log.rest));
 }
 
 SWING_INLINE double K_of_modulus(double k)
 {
   const double m = (1 - k) * (1 + k);
-  const Sum K = K_formula(m, log_of(m), 2);
-  return m > 0 ? K.head + K.tail : m == 0 ? inf : nan;
+  const double K = K_formula(plain, m, log_of(m), 1);
+  return m > 0 ? K : m == 0 ? inf : nan;
 }
 
 // Subnormal numbers are made normal before their logarithm is taken.
 constexpr double tiny = 0x1p-1000;
 
-SWING_INLINE Sum K_of_sine(double kc, double lift)
+SWING_INLINE double K_of_sine(const Unit& unit, double kc, double lift)
 {
   Log log = log_of(kc);
   log.e -= lift;
-  return K_formula(lift > 0 ? 0 : kc * kc, log, 1);
+  return K_formula(unit, lift > 0 ? 0 : kc * kc, log, 2);
 }
 
 SWING_INLINE double K_of_complement(double kc)
 {
   const bool lifted = kc < tiny;
-  const Sum K = K_of_sine(lifted ? kc * 0x1p60 : kc, lifted ? 60 : 0);
-  return kc > 0 && kc <= 1 ? K.head + K.tail : kc == 0 ? inf : nan;
+  const double K = K_of_sine(plain, lifted ? kc * 0x1p60 : kc, lifted ? 60 : 0);
+  return kc > 0 && kc <= 1 ? K : kc == 0 ? inf : nan;
 }
 
-// K·2/π, without losing what the sum of head and tail rounds off.
 SWING_INLINE double ratio_of_eta(double eta)
 {
   const bool lifted = eta < tiny;
-  const Sum K = K_of_sine(sine_of_half(lifted ? eta * 0x1p60 : eta), lifted ? 60 : 0);
-  const double sum = K.head + K.tail;
-  const double lost = (K.head - sum) + K.tail;
-  constexpr double factor = tables::two_over_pi_hi;
-  const double ratio = sum * factor + (sum * tables::two_over_pi_lo + lost * factor);
+  const double ratio = K_of_sine(quarter_turns, sine_of_half(lifted ? eta * 0x1p60 : eta), lifted ? 60 : 0);
   return eta > 0 && eta <= pi_hi ? ratio : eta == 0 ? inf : nan;
 }
 

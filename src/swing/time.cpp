@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "swing/kernels.hpp"
+#include "swing/twofold.hpp"
 #include "swing_tables.hpp"
 
 namespace swing
@@ -64,7 +65,7 @@ constexpr std::array<Coefficient, terms> coefficients = [] {
 
 // K near the top, Σ aₙ² mⁿ (L − rₙ) with L = ln(4/kc), m = kc² < 1/128. L is given by x and what is still to
 // be added to it, L = ln 4 − factor·ln x + more, so that its leading part can be summed without loss.
-double K_near_top(double x, double factor, double more, double m)
+Twofold K_near_top(double x, double factor, double more, double m)
 {
   double lift = 0;
   if (x < 0x1p-1022)
@@ -85,11 +86,13 @@ double K_near_top(double x, double factor, double more, double m)
   double series = 0;
   for (std::size_t n = terms - 1; n > 0; --n)
     series = m * (series + coefficients[n].a2 * (L - coefficients[n].r));
-  return sum + (rest + series);
+  return {sum, rest + series};
 }
 
+double rounded(Twofold x) { return x.hi + x.lo; }
+
 // ln(sin h / h) = −h²/6 − h⁴/180 − h⁶/2835 − …, here with η = 2h < 1/64.
-double K_near_top_of_eta(double eta)
+Twofold K_near_top_of_eta(double eta)
 {
   const double square = eta * eta;
   const double s = eta * (0.5 - square * (1.0 / 48 - square / 3840));
@@ -219,7 +222,7 @@ double K(double k)
   if (y > 0)
   {
     const double m = y * (1 + up);
-    return K_near_top(m, 0.5, 0, m);
+    return rounded(K_near_top(m, 0.5, 0, m));
   }
   return y == 0 ? inf : nan;
 }
@@ -233,7 +236,7 @@ double K_from_complement(double kc)
     return row.c[0] + beyond_centre(row, kc - row.centre);
   }
   if (kc > 0 && kc < 1)
-    return K_near_top(kc, 1, 0, kc * kc);
+    return rounded(K_near_top(kc, 1, 0, kc * kc));
   return kc == 0 ? inf : nan;
 }
 
@@ -246,7 +249,7 @@ double quarter_time_from_top(double eta)
     return row.c[0] + beyond_centre(row, eta - row.centre);
   }
   if (eta > 0 && eta < 1)
-    return K_near_top_of_eta(eta);
+    return rounded(K_near_top_of_eta(eta));
   return eta == 0 ? inf : nan;
 }
 
@@ -266,8 +269,9 @@ double ratio_of(double eta, double rest)
   }
   if (eta > 0 && eta < 1)
   {
-    const double K = K_near_top_of_eta(eta + rest);
-    return K * tables::two_over_pi_hi + K * tables::two_over_pi_lo;
+    const Twofold K = K_near_top_of_eta(eta);
+    const Twofold ratio = product_of(K.hi, tables::two_over_pi_hi);
+    return ratio.hi + (ratio.lo + (K.hi * tables::two_over_pi_lo + K.lo * tables::two_over_pi_hi));
   }
   return eta == 0 ? inf : nan;
 }
@@ -278,7 +282,11 @@ double ratio_from_top(double eta) { return ratio_of(eta, 0); }
 
 double ratio_from_bottom(double zeta)
 {
-  return zeta >= 0 && zeta <= pi_hi ? ratio_of(pi_hi - zeta, pi_lo) : nan;
+  if (!(zeta >= 0 && zeta <= pi_hi))
+    return nan;
+  const double nearly = pi_hi - zeta;
+  const double eta = nearly + pi_lo;
+  return ratio_of(eta, (nearly - eta) + pi_lo);
 }
 
 double ratio(Amplitude a) { return ratio_of(a.eta, a.eta_rest); }
@@ -353,17 +361,20 @@ double time_from_rest_past(double past, double eta)
   if (eta == 0)
     return std::numeric_limits<double>::infinity();
   const double omega = psi / 2;
-  const double alpha = eta / 2;
   const double below = std::sin(past / 2);
   const double above = sine_of_half_sum(psi, supplement(psi), eta, supplement(eta));
   if (eta < 1e-8)
   {
     const double sine = std::sin(omega);
-    const double v = past < psi / 2 ? past / eta : std::tan(omega / 2) / std::tan(alpha / 2) - 1;
-    return std::log1p(v) + std::log1p(std::sqrt(below / sine) * std::sqrt(above / sine));
+    const double tangents = 4 * std::tan(omega / 2) / eta;
+    const double first = past < psi / 2    ? std::log1p(past / eta)
+                         : tangents < inf ? std::log(tangents)
+                                          : std::log(4 * std::tan(omega / 2)) - std::log(eta);
+    const double quotient = past < 1e-8 ? past / (2 * sine) : below / sine;
+    return first + std::log1p(std::sqrt(quotient) * std::sqrt(above / sine));
   }
-  const double sa = std::sin(alpha);
-  const double ca = std::cos(alpha);
+  const double sa = std::sin(eta / 2);
+  const double ca = std::cos(eta / 2);
   const double so = std::sin(omega);
   const double co = psi < 1 ? std::cos(omega) : std::sin(supplement(psi) / 2);
   return std::sqrt(below * above) * carlson_rf(sa * sa * co * co, sa * sa * ca * ca, ca * ca * so * so);

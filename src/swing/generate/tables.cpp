@@ -308,8 +308,9 @@ int main(int argc, char** argv)
                     "#pragma once\n\nnamespace swing::tables\n{\n\n");
   write_constant("ln2", exact::ln2(), 40);
   write_constant("ln4", Fifty(2) * exact::ln2(), 40);
-  write_constant("half_pi", exact::pi() / Fifty(2), 53);
   write_constant("two_over_pi", Fifty(2) / exact::pi(), 53);
+  write_constant("ratio_ln2", Fifty(2) / exact::pi() * exact::ln2(), 40);
+  write_constant("ratio_ln4", Fifty(4) / exact::pi() * exact::ln2(), 40);
   write_constant("one_over_pi", Fifty(1) / exact::pi(), 53);
   write_elementary();
   write_exponential();
