@@ -1,6 +1,5 @@
-/// @file
-/// Fifty digits and exact fractions: against published constants, against the C library's correctly rounded reading
-/// of decimals, and against each other.
+/// @file Fifty digits and exact fractions: against published constants, against the C library's correctly
+/// rounded reading of decimals, and against each other.
 #include "edition/compare.hpp"
 #include "exact/rational.hpp"
 
@@ -24,7 +23,10 @@ constexpr double tiny = std::numeric_limits<double>::denorm_min();
 constexpr double greatest = std::numeric_limits<double>::max();
 
 // 168 bits are 2.7e-51 of relative spacing.
-edition::Expectation to_fifty_digits(const Fifty& y) { return within_relative(y, 1e-49, "a few units of digit 50"); }
+edition::Expectation to_fifty_digits(const Fifty& y)
+{
+  return within_relative(y, 1e-49, "a few units of digit 50");
+}
 
 Fifty power_of_two(int n) { return ldexp(Fifty(1), n); }
 
@@ -37,7 +39,7 @@ TEST_CASE("constants agree with published digits")
   CHECK(euler_gamma() == to_fifty_digits(Fifty("0.577215664901532860606512090082402431042159335939923599")));
   CHECK(exp(Fifty(1)) == to_fifty_digits(Fifty("2.71828182845904523536028747135266249775724709369995958")));
   CHECK(sqrt(Fifty(2)) == to_fifty_digits(Fifty("1.41421356237309504880168872420969807856967187537694807")));
-  CHECK(tgamma(Fifty(0.25)) == to_fifty_digits(Fifty("3.62560990822190831193068515586767200299516768288006547")));
+  CHECK(tgamma(Fifty(0.25)) == to_fifty_digits(Fifty("3.6256099082219083119306851558676720029951676828801")));
 }
 
 TEST_CASE("functions agree with each other where they are inverse")
@@ -65,7 +67,7 @@ TEST_CASE("functions agree with each other where they are inverse")
     CHECK(sin(asin(x)) == to_fifty_digits(x));
     CHECK(asin(x) + acos(x) == to_fifty_digits(pi() / 2));
     CHECK(tanh(atanh(x)) == within_relative(x, 1e-48, "at 0.99, 1 - x² is 0.02"));
-    CHECK(acosh(1 + x) == within_relative(2 * asinh(sqrt(x / 2)), 1e-24, "1 + 1e-25 keeps half of the digits"));
+    CHECK(acosh(1 + x) == within_relative(2 * asinh(sqrt(x / 2)), 1e-24, "1 + 1e-25 keeps half"));
   }
   CHECK(atan2(Fifty(-1), Fifty(-1)) == to_fifty_digits(-3 * pi() / 4));
 }
@@ -77,7 +79,8 @@ TEST_CASE("small arguments lose nothing")
     const Fifty x2 = x * x;
     const Fifty x3 = x2 * x;
     CAPTURE(text);
-    // The next terms of the expansions: x¹⁷/17! and the like, below 1e-65, or x⁵/5, where the sum is cut there.
+    // The next terms of the expansions: x¹⁷/17! and the like, below 1e-65, or x⁵/5, where the sum is cut
+    // there.
     const auto odd = [&](int sign, bool divided) {
       Fifty sum;
       Fifty power = x;
@@ -147,11 +150,13 @@ TEST_CASE("a decimal becomes the nearest double, as strtod reads it")
       "0.1", "-3.16621", "1e22", "1e23", "9007199254740993", "9007199254740995",
       "9007199254740993.00000000000000000000000000001", "1.7976931348623157e308", "1.7976931348623159e308",
       "2.2250738585072011e-308", "2.2250738585072014e-308", "4.9e-324", "2.4703282292062327e-324",
-      "2.4703282292062329e-324", "7.4109846876186981e-324", "7.4109846876186983e-324", "1e-400", "0", "1e400"};
+      "2.4703282292062329e-324", "7.4109846876186981e-324", "7.4109846876186983e-324", "1e-400",
+      "0", "1e400"};
   std::mt19937_64 random(20);
   for (int i = 0; i < 2000; ++i) {
     const int exponent = static_cast<int>(random() % 330) - (i % 2 == 0 ? 324 : 20);
-    texts.push_back(std::to_string(random()) + "." + std::to_string(random()) + "e" + std::to_string(exponent));
+    const std::string whole = std::to_string(random());
+    texts.push_back(whole + "." + std::to_string(random()) + "e" + std::to_string(exponent));
   }
   for (const std::string& text : texts) {
     CAPTURE(text);
@@ -187,7 +192,8 @@ TEST_CASE("text shows what is asked for")
 
 TEST_CASE("what is not a decimal is refused")
 {
-  for (const char* text : {"", " ", "1,5", "0x10", "1.5 m", "e5", ".e5", "1.2.3", "--1", "1e", "+", "1e5e5", "1-2"}) {
+  for (const char* text :
+       {"", " ", "1,5", "0x10", "1.5 m", "e5", ".e5", "1.2.3", "--1", "1e", "+", "1e5e5", "1-2"}) {
     CAPTURE(text);
     CHECK_THROWS_AS(Fifty{text}, std::invalid_argument);
   }
@@ -259,7 +265,7 @@ TEST_CASE("a fraction becomes the nearest double and the nearest fifty digits")
   CHECK(static_cast<double>(Rational(1, 3)) == 1.0 / 3.0);
   CHECK(static_cast<double>(Rational(-2, 3)) == -2.0 / 3.0);
   CHECK(static_cast<double>(Rational("9007199254740993")) == 9007199254740992.0);  // a tie, to even
-  CHECK(static_cast<double>(Rational("9007199254740993000001/1000000")) == 9007199254740994.0);  // just above it
+  CHECK(static_cast<double>(Rational("9007199254740993000001/1000000")) == 9007199254740994.0);  // above it
   CHECK(static_cast<double>(pow(Rational(2), -1074)) == tiny);
   CHECK(static_cast<double>(pow(Rational(2), -1075)) == 0);
   CHECK(static_cast<double>(pow(Rational(2), 1024)) == infinite);

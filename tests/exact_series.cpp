@@ -114,7 +114,7 @@ TEST_CASE("a series of series is one in two variables")
 TEST_CASE("series of fifty digits sum as those of fractions do")
 {
   const auto real = sin(Series<Fifty>::x(15));
-  CHECK(real[13] == edition::within_relative(static_cast<Fifty>(1 / factorial(13)), 1e-49, "a few roundings"));
+  CHECK(real[13] == edition::within_relative(Fifty(1 / factorial(13)), 1e-49, "a few roundings"));
 }
 
 TEST_CASE("Laurent polynomials keep to their powers")

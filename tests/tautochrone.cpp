@@ -108,6 +108,21 @@ TEST_CASE("the height is the one that equal times ask for")
   }
 }
 
+TEST_CASE("another curve through the same lowest point has the height of equal times, too")
+{
+  const Fifty k("0.3");
+  const Fifty phi = Fifty(40) * pi() / 180;
+  const Fifty half = (1 + k * k) * cos(phi) / 2;
+  const Fifty r = half + sqrt(half * half - k * k);  // dr = 0: it ends here, long before the highest
+  const auto right_side = [&](const Fifty& at, const State& y) {
+    return State{slope(at, y[0], k), y[0] * sin(at)};
+  };
+  const auto down = solve(right_side, phi, {r, height(k, phi, r)}, {phi / 2, phi / 100, phi / 10'000});
+  CHECK(abs(down[0].y[0] - highest(k, phi / 2)) > 1e-3);
+  CHECK(down[1].y[1] == within(height(k, phi / 100, down[1].y[0]), 1e-29, "some fifty steps of 1e-32 each"));
+  CHECK(down[2].y[0] == within(Fifty(1), 1e-7, "near the vertical 1 - r is 0.75 φφ, and φ is 7e-5"));
+}
+
 TEST_CASE("all swings on it take the same time, by the integral of §19 with heights from the geometry")
 {
   const Fifty k("0.3");
@@ -129,7 +144,7 @@ TEST_CASE("all swings on it take the same time, by the integral of §19 with hei
       const Fifty to_fall = at[0].y[1] - at[i].y[1];
       sum += sqrt((angles[0] * angles[0] - angles[i] * angles[i]) * (k * k + r * r) / to_fall) / nodes;
     }
-    CHECK(sum / sqrt(2 * (1 + k * k)) == within(Fifty(1), 1e-7, "the error of 24 nodes near the end of the curve"));
+    CHECK(sum / sqrt(2 * (1 + k * k)) == within(Fifty(1), 1e-7, "24 nodes, near the end of the curve"));
   }
 }
 

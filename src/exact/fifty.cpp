@@ -28,7 +28,8 @@ using Quiet = policies::policy<policies::domain_error<policies::ignore_error>,
 Fifty nan() { return std::numeric_limits<double>::quiet_NaN(); }
 Fifty infinity() { return std::numeric_limits<double>::infinity(); }
 
-// Sign, digits with or without a point, exponent: no more than that. Boost alone would take "" and "0x1f" for numbers.
+// Sign, digits with or without a point, exponent: no more than that. Boost alone would take "" and "0x1f" for
+// numbers.
 bool is_decimal(std::string_view text)
 {
   const auto skip_sign = [&] { text.remove_prefix(text.starts_with('+') || text.starts_with('-') ? 1 : 0); };

@@ -13,8 +13,8 @@ namespace exact {
 /**
  * A real number with a significand of 168 bits (50 decimal digits) and a practically unbounded exponent.
  *
- * It is used like a `double`: the elementary functions are found by argument-dependent lookup, so that
- * `using std::sqrt; sqrt(x)` is one formula for both. The four operations and `sqrt` are correctly rounded, the
+ * It is used like a `double`: the elementary functions are found by argument-dependent lookup, so that `using
+ * std::sqrt; sqrt(x)` is one formula for both. The four operations and `sqrt` are correctly rounded, the
  * other functions are good to a few units of the fiftieth digit. A division by zero gives an infinity and an
  * undefined operation a NaN, as for doubles.
  *
@@ -111,9 +111,10 @@ Fifty euler_gamma();  ///< Euler's constant, 0.57721...
 /**
  * The error of a double in units of its last place: |got - exact| over the spacing of doubles at `exact`.
  *
- * The spacing is that of the binade in which `exact` itself lies, 2^-1074 among the subnormals and at zero, and
- * that of the last binade for what is too large for a double. An infinite `got` is without error where `exact`
- * rounds to that infinity, and infinitely wrong elsewhere. With a NaN on either side the answer is infinite.
+ * The spacing is that of the binade in which `exact` itself lies, 2^-1074 among the subnormals and at zero,
+ * and that of the last binade for what is too large for a double. An infinite `got` is without error where
+ * `exact` rounds to that infinity, and infinitely wrong elsewhere. With a NaN on either side the answer is
+ * infinite.
  */
 double ulps(double got, const Fifty& exact);
 

@@ -30,6 +30,11 @@ Fifty distance(const State& x, const State& y)
   return greatest;
 }
 
+bool all_finite(const State& y)
+{
+  return std::all_of(y.begin(), y.end(), [](const Fifty& component) { return isfinite(component); });
+}
+
 // A step led to where the right-hand side is not finite.
 struct StepTooLong {};
 
@@ -56,7 +61,7 @@ State Extrapolation::slope(const Fifty& t, const State& y)
   if (result.size() != y.size()) {
     throw std::invalid_argument("the right-hand side has not as many components as the state");
   }
-  if (!std::all_of(result.begin(), result.end(), [](const Fifty& component) { return isfinite(component); })) {
+  if (!all_finite(result)) {
     throw StepTooLong{};
   }
   return result;
@@ -138,8 +143,7 @@ Solution solve(const RightSide& f, const Fifty& t0, const State& y0, const Fifty
   if (!(tolerance >= Fifty("1e-40") && tolerance <= Fifty("1e-3"))) {
     throw std::invalid_argument("the tolerance must lie between 1e-40 and 1e-3, not at " + tolerance.str(3));
   }
-  const bool finite = std::all_of(y0.begin(), y0.end(), [](const Fifty& y) { return isfinite(y); });
-  if (!finite || !isfinite(t0) || !isfinite(t1)) {
+  if (!all_finite(y0) || !isfinite(t0) || !isfinite(t1)) {
     throw std::invalid_argument("the start or the end of the integration is not finite");
   }
   // The cheapest number on a Kepler ellipse: a column for every three digits.

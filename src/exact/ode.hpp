@@ -23,10 +23,10 @@ struct Solution {
  * y(t1) of y' = f(t, y), y(t0) = y0, by extrapolation of the midpoint rule with steps chosen so that each
  * contributes at most `tolerance` to the error (absolute where |y| < 1, else relative to it).
  *
- * The equation is solved twice, the second time with an order higher by four and a tolerance smaller by a factor
- * of a thousand. That second solution is returned; the difference between the two, which is the error of the first,
- * is the reported one. t1 may lie before t0. Where a trial step leads f to something that is not finite, the step
- * is shortened.
+ * The equation is solved twice, the second time with an order higher by four and a tolerance smaller by a
+ * factor of a thousand. That second solution is returned; the difference between the two, which is the error
+ * of the first, is the reported one. t1 may lie before t0. Where a trial step leads f to something that is
+ * not finite, the step is shortened.
  *
  * @throws std::invalid_argument if the tolerance is not between 1e-40 and 1e-3, or a number is not finite
  * @throws std::runtime_error if a step becomes too small (a singularity) or more than 100 000 are needed

@@ -35,8 +35,8 @@ void require_nonnegative(int n, const char* what)
   }
 }
 
-// The quotient n/d with `bits` significant bits or one more, the last one sticky: it is set if anything is lost, so
-// that one more rounding to fewer bits is a correct one. The value is the result times 2^shift.
+// The quotient n/d with `bits` significant bits or one more, the last one sticky: it is set if anything is
+// lost, so that one more rounding to fewer bits is a correct one. The value is the result times 2^shift.
 std::pair<Integer, int> sticky_quotient(const Integer& n, const Integer& d, int bits)
 {
   const int shift = static_cast<int>(msb(n)) - static_cast<int>(msb(d)) - bits;

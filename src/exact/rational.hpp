@@ -11,8 +11,8 @@ namespace exact {
 /**
  * A fraction of whole numbers of any size, always in lowest terms with a positive denominator.
  *
- * Source: `cpp_rational` of Boost.Multiprecision, which stays out of this header. A value is never changed once
- * made, so that copies share it.
+ * Source: `cpp_rational` of Boost.Multiprecision, which stays out of this header. A value is never changed
+ * once made, so that copies share it.
  */
 class Rational {
 public:

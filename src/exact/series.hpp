@@ -313,8 +313,8 @@ template <class C>
 Series<C> cos(const Series<C>& a) { return formal::sine_and_cosine(a).second; }
 
 /**
- * The series b with a(b(x)) = x, for a = c₁x + ..., c₁ ≠ 0, by Lagrange's theorem: n times the n-th coefficient
- * of b is the coefficient of xⁿ⁻¹ in (x/a)ⁿ.
+ * The series b with a(b(x)) = x, for a = c₁x + ..., c₁ ≠ 0, by Lagrange's theorem: n times the n-th
+ * coefficient of b is the coefficient of xⁿ⁻¹ in (x/a)ⁿ.
  * @throws std::domain_error otherwise, or for a polynomial
  */
 template <class C>
@@ -447,7 +447,8 @@ Laurent<C> derivative(const Laurent<C>& a)
   return sum;
 }
 
-/// The integral without a constant term. @throws std::domain_error if there is a term 1/x, whose integral is ln x
+/// The integral without a constant term. @throws std::domain_error if there is a term 1/x, whose integral is
+/// ln x
 template <class C>
 Laurent<C> integral(const Laurent<C>& a)
 {

@@ -67,7 +67,7 @@ std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
   for (auto phi = angles.rbegin(); phi != angles.rend(); ++phi)
   {
     if (!(*phi >= 0 && *phi <= (radii.empty() ? end.phi : at.phi)))
-      throw std::domain_error("the angles must grow and end before " + end.phi.str(6) + ", unlike " + phi->str(6));
+      throw std::domain_error("the angles must grow up to " + end.phi.str(6) + ", unlike " + phi->str(6));
     const Point start = *phi == 0 ? Point{0, 1, 0} : beginning(k, *phi);
     if (radii.empty() || start.phi < at.phi)
       at = start;

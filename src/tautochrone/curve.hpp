@@ -15,8 +15,8 @@ namespace tautochrone
 /**
  * dr/dφ on a tautochrone, by the equation at the end of §25, for a = 1.
  *
- * Followed with φ growing, every error grows nearly as exp(-falling(φ)/kk); followed towards φ = 0, it dies as
- * fast. Singular at φ = 0 and for k = 0.
+ * Followed with φ growing, every error grows nearly as exp(-falling(φ)/kk); followed towards φ = 0, it dies
+ * as fast. Singular at φ = 0 and for k = 0.
  */
 template <class Real>
 Real slope(const Real& phi, const Real& r, const Real& k)
@@ -30,8 +30,8 @@ Real slope(const Real& phi, const Real& r, const Real& k)
 /**
  * A(φ) = -½ - ln sin φ + ½ sin²φ, which falls from infinity at φ = 0 to zero at 90°.
  *
- * Two neighbouring tautochrones of small k differ at φ nearly as exp(-A/kk), and the same A rules Euler's series:
- * its terms begin to grow after some A/kk of them.
+ * Two neighbouring tautochrones of small k differ at φ nearly as exp(-A/kk), and the same A rules Euler's
+ * series: its terms begin to grow after some A/kk of them.
  */
 exact::Fifty falling(const exact::Fifty& phi);
 
@@ -46,20 +46,20 @@ struct Point
 /**
  * Where the highest tautochrone ends, in closed form.
  *
- * For k < 1 infinitely many curves through the lowest point, all with the radius 1 there, have all swings equal.
- * Each of them ends where dr = 0 and the cheek would have to turn back. The one that reaches highest does so at
- * tan φ = (1 - k)/√k and at the height ½(1 - k)². It is the edition's standard of an exact curve.
+ * For k < 1 infinitely many curves through the lowest point, all with the radius 1 there, have all swings
+ * equal. Each of them ends where dr = 0 and the cheek would have to turn back. The one that reaches highest
+ * does so at tan φ = (1 - k)/√k and at the height ½(1 - k)². It is the edition's standard of an exact curve.
  *
  * @throws std::domain_error unless 0 < k < 1
  */
 Point highest_end(const exact::Fifty& k);
 
 /**
- * r of the highest tautochrone at each of the angles, which must grow and lie between 0 and its end. The error is
- * below 1e-28.
+ * r of the highest tautochrone at each of the angles, which must grow and lie between 0 and its end. The
+ * error is below 1e-28.
  *
- * Integrated backwards. For small k the integration need not begin at the end: two tautochrones that are both there
- * at an angle a little above φ differ at φ by less than e^-80.
+ * Integrated backwards. For small k the integration need not begin at the end: two tautochrones that are both
+ * there at an angle a little above φ differ at φ by less than e^-80.
  *
  * @throws std::domain_error unless 1e-9 ≤ k < 1 and the angles are as they should be
  */

@@ -39,7 +39,8 @@ std::vector<exact::Laurent<Number>> corrections(int last)
     u.push_back(product(r, r, n) + (n == 1 ? 1 : 0));
     const Polynomial before = dr_sin;
     dr_sin = -sin2 * derivative(r[static_cast<std::size_t>(n - 1)]);
-    const Polynomial rest = product(u, u, n) - c * (product(r, u, n) + product(r, u, n - 1)) - dr_sin - before;
+    const Polynomial ru = product(r, u, n) + product(r, u, n - 1);
+    const Polynomial rest = product(u, u, n) - c * ru - dr_sin - before;
     r.back() = -rest / (c * c * c);
     u.back() += 2 * c * r.back();
   }

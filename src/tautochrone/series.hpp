@@ -35,16 +35,17 @@ Real equation(const Real& a, const Real& kk, const Real& r, const Real& dr_sin, 
 /**
  * r₀, r₁, ... with r = a Σ rₙ (kk/aa)ⁿ: the first `last` + 1 coefficients, polynomials in cos φ and 1/cos φ.
  *
- * r₀ = cos φ; r₁ and r₂ are the P and Q of §§29 and 30 for a = 1. All coefficients are whole numbers, which `Number` =
- * `Rational` gives exactly and `Fifty` as long as they have no more than fifty digits. The series diverges for
- * every φ but zero: it is an asymptotic one.
+ * r₀ = cos φ; r₁ and r₂ are the P and Q of §§29 and 30 for a = 1. All coefficients are whole numbers, which
+ * `Number` = `Rational` gives exactly and `Fifty` as long as they have no more than fifty digits. The series
+ * diverges for every φ but zero: it is an asymptotic one.
  *
  * @throws std::domain_error if last < 0
  */
 template <class Number>
 std::vector<exact::Laurent<Number>> corrections(int last);
 
-/// r/a through the power (kk/aa)^order, as a polynomial in cos φ and 1/cos φ. `k` is in units of a, and k ≥ 0.
+/// r/a through the power (kk/aa)^order, as a polynomial in cos φ and 1/cos φ. `k` is in units of a, and k ≥
+/// 0.
 /// @throws std::domain_error if order < 0
 exact::Laurent<exact::Fifty> truncated(int order, const exact::Fifty& k);
 

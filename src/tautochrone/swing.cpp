@@ -7,8 +7,8 @@ namespace tautochrone
 
 using exact::Fifty;
 
-Fifty excess(const std::function<Fifty(const Fifty&)>& r, const std::function<Fifty(const Fifty&)>& x, const Fifty& k,
-             const Fifty& phi0)
+Fifty excess(const std::function<Fifty(const Fifty&)>& r, const std::function<Fifty(const Fifty&)>& x,
+             const Fifty& k, const Fifty& phi0)
 {
   if (!(phi0 >= Fifty("1e-4") && phi0 < exact::pi() / 2 && k >= 0))
     throw std::domain_error("a swing needs 0.0001 ≤ φ₀ < ½π and k ≥ 0");

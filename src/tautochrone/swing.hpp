@@ -12,9 +12,9 @@ namespace tautochrone
 /**
  * T/T₀ - 1, by how much a swing of amplitude phi0 lasts longer than an infinitely small one (§19).
  *
- * `r` and `x` are the radius of curvature and the height as functions of φ, in units of a, with r(0) = 1; k is k/a. The
- * midpoint rule after φ = φ₀ sin α, its nodes doubled until the result stands still to twenty-five digits. The
- * amplitude must not be smaller than 1e-4, because heights are subtracted.
+ * `r` and `x` are the radius of curvature and the height as functions of φ, in units of a, with r(0) = 1; k
+ * is k/a. The midpoint rule after φ = φ₀ sin α, its nodes doubled until the result stands still to
+ * twenty-five digits. The amplitude must not be smaller than 1e-4, because heights are subtracted.
  *
  * @throws std::domain_error unless 1e-4 ≤ phi0 < π/2, k ≥ 0, and x grows from 0 to phi0
  * @throws std::runtime_error if 1024 nodes are not enough
