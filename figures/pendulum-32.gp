@@ -1,14 +1,14 @@
 load "figures/style.gp"
 set logscale xy
 set xrange [0.5:60]
-set yrange [1e-10:20]
+set yrange [1e-10:100]
 set xtics (0.5, 1, 2, 5, 10, 20, 60) format "%g°"
 set format y "10^{%T}"
 set xlabel "η"
-set label "first member" at 0.7, 9 textcolor linetype 1
-set label "second" at 0.7, 0.33 textcolor linetype 3
-set label "third" at 1.4, 2.4e-4 textcolor linetype 4
-set label "left out" at 1.7, 6e-8 textcolor linetype 2
+set label "first member" at 0.7, 22 textcolor linetype 1
+set label "second" at 0.7, 0.16 textcolor linetype 3
+set label "third" at 1.2, 8e-4 textcolor linetype 4
+set label "left out" at 1.4, 3.5e-7 textcolor linetype 2
 plot tsv("pendulum-32.sizes") using "eta":"first" with lines linetype 1, \
      "" using "eta":"second" with lines linetype 3, \
      "" using "eta":"third" with lines linetype 4, \

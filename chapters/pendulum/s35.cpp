@@ -84,10 +84,10 @@ The first logarithm is cut off where it should have been rounded up; the third i
 the sum is right. Its antilogarithm is {{antilogarithm|8}}, which is cut off once more: rounded it would be 5,43462.
 
 ::: figure pendulum-35
-alt: How far each of the three printed logarithms lies from the true one, in units of the seventh place: the first a quarter of a unit below and past the rounding
-limit by cutting, the second within it, the third almost a whole unit above.
+alt: How far each of the three printed logarithms lies from the true one, in units of the seventh place: the first two thirds of a unit below,
+outside the half unit of honest rounding, the second inside it, the third almost a whole unit above.
 
-How far the three printed logarithms are from the true ones. An honest rounding stays within the shaded half unit; the third line leaves it. Together they are off by less than one unit.
+How far the three printed logarithms are from the true ones. An honest rounding stays within the shaded half unit; the first and the third leave it, to opposite sides, and together they are off by little.
 :::
 
 ## Checks
