@@ -82,7 +82,7 @@ double by_series(double v, int terms)  // (6)
   return sum;
 }
 
-const auto v = real("v", 0.6, none, open(0, 1), "the variable");
+const auto v = real("v", 0.6, none, open(1e-150, 1), "the variable");
 const auto terms = integer("terms", 40, 1, 10'000'000, "terms of the series that are added");
 
 TELL
