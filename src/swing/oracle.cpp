@@ -188,8 +188,14 @@ Motion::Place Motion::place(const Fifty& t) const
   return {n, u - n * half_period, half != floor(half)};
 }
 
-// tan ½Φ from |u| ≤ K, or its inverse. Swinging it is k sn/dn, revolving sn/cn.
-Fifty Motion::tangent_of_half(const Fifty& u, bool inverse) const
+struct Motion::Quotient
+{
+  Fifty above;
+  Fifty below;
+};
+
+// tan ½Φ from |u| ≤ K: swinging it is k sn/dn, revolving sn/cn.
+Motion::Quotient Motion::tangent_of_half(const Fifty& u) const
 {
   const Fifty z = exact::pi() * u / (Fifty(2) * (dual_ ? other_K_ : K_));
   const auto s = [&](const Fifty& x) { return dual_ ? sinh(x) : sin(x); };
@@ -198,26 +204,18 @@ Fifty Motion::tangent_of_half(const Fifty& u, bool inverse) const
   const Fifty theta2_0 = odd_series(q_, Fifty(0), false, c);
   const Fifty theta3_0 = even_series(q_, Fifty(0), false, c);
   const Fifty theta4_0 = even_series(q_, Fifty(0), true, c);
-  const Fifty root = sqrt(sqrt(q_)) * Fifty(2);
-  Fifty above;
-  Fifty below;
-  if (!turns_)
-  {
-    above = (dual_ ? theta4_0 : root * root * theta2_0) * theta1;
-    below = (dual_ ? theta2_0 : theta4_0) * even_series(q_, z, false, c);
-  }
-  else
-  {
-    above = theta3_0 * theta1;
-    below = dual_ ? theta2_0 * even_series(q_, z, true, c) : theta4_0 * odd_series(q_, z, false, c);
-  }
-  return inverse ? below / above : above / below;
+  if (turns_)
+    return {theta3_0 * theta1,
+            dual_ ? theta2_0 * even_series(q_, z, true, c) : theta4_0 * odd_series(q_, z, false, c)};
+  const Fifty scale = dual_ ? theta4_0 : Fifty(4) * sqrt(q_) * theta2_0;
+  return {scale * theta1, (dual_ ? theta2_0 : theta4_0) * even_series(q_, z, false, c)};
 }
 
 Fifty Motion::angle(const Fifty& t) const
 {
   const Place p = place(t);
-  const Fifty part = Fifty(2) * atan(tangent_of_half(p.u, false));
+  const Quotient q = tangent_of_half(p.u);
+  const Fifty part = Fifty(2) * atan2(q.above, q.below);
   if (turns_)
     return Fifty(2) * exact::pi() * p.n + part;
   return p.odd ? -part : part;
@@ -225,8 +223,8 @@ Fifty Motion::angle(const Fifty& t) const
 
 Fifty Motion::angle_from_top(const Fifty& t) const
 {
-  const Place p = place(t);
-  return p.u == Fifty(0) ? exact::pi() : Fifty(2) * abs(atan(tangent_of_half(abs(p.u), true)));
+  const Quotient q = tangent_of_half(place(t).u);
+  return Fifty(2) * abs(atan2(q.below, abs(q.above)));
 }
 
 // Φ' = 2k cn swinging, 2 rate dn revolving.

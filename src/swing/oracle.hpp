@@ -59,7 +59,8 @@ private:
   struct Place;
   Motion(const Fifty& k, const Fifty& kc, const Fifty& rate, bool turns);
   Place place(const Fifty& t) const;
-  Fifty tangent_of_half(const Fifty& from_bottom, bool inverse) const;
+  struct Quotient;
+  Quotient tangent_of_half(const Fifty& u) const;
 
   Fifty k_;
   Fifty kc_;

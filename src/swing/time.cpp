@@ -63,9 +63,9 @@ constexpr std::array<Coefficient, terms> coefficients = [] {
   return c;
 }();
 
-// K near the top, Σ aₙ² mⁿ (L − rₙ) with L = ln(4/kc), m = kc² < 1/128. L is given by x and what is still to
-// be added to it, L = ln 4 − factor·ln x + more, so that its leading part can be summed without loss.
-Twofold K_near_top(double x, double factor, double more, double m)
+// K near the top, Σ aₙ² mⁿ (L − rₙ) with L = ln(4/kc) and m = kc² < 1/128. L is given as twos·ln 2 − factor·ln x and
+// `more`, which is small, so that its leading part can be summed without loss.
+Twofold K_near_top(int twos, double x, double factor, double more, double m)
 {
   double lift = 0;
   if (x < 0x1p-1022)
@@ -77,10 +77,10 @@ Twofold K_near_top(double x, double factor, double more, double m)
   const double e = static_cast<double>(static_cast<int>(bits >> 52) - 1023) - lift;
   const double z = std::bit_cast<double>((bits & 0x000fffffffffffff) | 0x3ff0000000000000);
   const tables::Row& row = tables::minus_log[row_of<tables::minus_log_lowest>(z)];
-  const double head = tables::ln4_hi - factor * e * tables::ln2_hi;
+  const double head = (twos - factor * e) * tables::ln2_hi;
   const double value = factor * row.c[0];
   const double sum = head + value;
-  const double rest = ((head - sum) + value) + (tables::ln4_lo - factor * e * tables::ln2_lo) +
+  const double rest = ((head - sum) + value) + (twos - factor * e) * tables::ln2_lo +
                       factor * beyond_centre(row, z - row.centre) + more;
   const double L = sum + rest;
   double series = 0;
@@ -96,7 +96,7 @@ Twofold K_near_top_of_eta(double eta)
 {
   const double square = eta * eta;
   const double s = eta * (0.5 - square * (1.0 / 48 - square / 3840));
-  return K_near_top(eta, 1, (tables::ln2_hi + tables::ln2_lo) + square * (1.0 / 24 + square / 2880), s * s);
+  return K_near_top(3, eta, 1, square * (1.0 / 24 + square / 2880), s * s);
 }
 
 void same_length(std::span<const double> in, std::span<double> out)
@@ -222,7 +222,7 @@ double K(double k)
   if (y > 0)
   {
     const double m = y * (1 + up);
-    return rounded(K_near_top(m, 0.5, 0, m));
+    return rounded(K_near_top(2, m, 0.5, 0, m));
   }
   return y == 0 ? inf : nan;
 }
@@ -236,7 +236,7 @@ double K_from_complement(double kc)
     return row.c[0] + beyond_centre(row, kc - row.centre);
   }
   if (kc > 0 && kc < 1)
-    return rounded(K_near_top(kc, 1, 0, kc * kc));
+    return rounded(K_near_top(2, kc, 1, 0, kc * kc));
   return kc == 0 ? inf : nan;
 }
 
