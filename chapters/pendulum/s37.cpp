@@ -132,6 +132,7 @@ seven and sixty degrees from the top neither of his methods is fit for work by h
 ::: figure pendulum-37
 alt: Number of terms for five decimals against eta, both logarithmic. Euler's series falls from a hundred thousand terms at one degree to ten at 120 degrees. The columns rise from two
 at one degree to fifty at 100 degrees and cross it near 90 degrees. The series after one step and the mean stay low throughout. A band marks the angles between 6.7 and 60 degrees.
+
 The labour for five decimals. The three members end where the columns need more than two; from there to about 60° Euler's series asks for dozens to thousands of
 terms. One step of the arithmetic-geometric mean changes that; the mean itself never needs more than four.
 :::

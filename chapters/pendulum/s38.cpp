@@ -113,8 +113,9 @@ TELL
 
 /*!
 ::: figure pendulum-38
-alt: Errors of the five ways in units of the last place, against eta from 1.5 radians down to ten to the minus 300, on a logarithmic scale. All lie between a hundredth and five ulp;
-the columns, the mean and the theta function wander up to four, the edition's own function stays below one.
+alt: Errors of the five ways in units of the last place, against eta from 1.5 radians down to ten to the minus 300, on a logarithmic scale. All lie below four ulp;
+the columns, the mean and the theta function wander, the edition's own function stays below one.
+
 The invitation, answered: Euler's columns, the mean, Jacobi's theta function and the edition's own table, all within a few units of the last place of the fifty-digit value,
 from a right angle to $10^{-300}$ of a radian.
 :::
