@@ -7,6 +7,11 @@ import { palette, paletteCss } from './figure.mjs';
 import { packages } from './packages.mjs';
 import { Formulas, escape, slug } from './prose.mjs';
 
+process.on('uncaughtException', (error) => {
+  console.error(error.message);
+  process.exitCode = 1;
+});
+
 const [source, build] = process.argv.slice(2).map((p) => path.resolve(p));
 const read = (...file) => fs.readFileSync(path.join(...file), 'utf8');
 const site = path.join(build, 'html');
@@ -73,6 +78,7 @@ function repaired(html, title) {
     .replace(/<tr class="heading"><td colspan="2"><h2 class="groupheader">([^]*?)<\/h2><\/td><\/tr>/g, (_, t) => `<tr class="heading"><td colspan="2"><h2>${t}</h2></td></tr>`)
     .replace(/<tr class="(?:separator|inherit_header)[^]*?<\/tr>/g, '')
     .replace(/<a (?:name|id)="details" id="details"><\/a>|<a id="details" name="details"><\/a>/, '<a id="details"></a>')
+    .replace(/<pre class="fragment">/g, '<pre class="code" tabindex="0" role="group" aria-label="Formulae">')
     .replace(/ on(?:click|mouse\w+)="[^"]*"/g, '')
     .replace(/<a id="([^"]*)" name="\1"><\/a>/g, '<a id="$1"></a>')
     .replace(/<dl class="section (?:see|return|note|pre|post|warning|remark|author|since)"/g, '<dl class="section"')
@@ -151,10 +157,15 @@ write('minisearch.js', umd);
 write('search.js', read(source, 'book/search.mjs').replace(/^export /gm, ''));
 write('book.js', read(source, 'book/book.js'));
 
+/** The faces that most pages need are put into the style sheets themselves: so they are there when the first line is laid out. */
+const woven = (css, folder, faces) => css.replace(/url\((?:fonts\/)([\w-]+)\.woff2\)/g, (all, face) => (faces.test(face)
+  ? `url(data:font/woff2;base64,${fs.readFileSync(path.join(folder, `${face}.woff2`)).toString('base64')})` : all));
 const colours = palette(read(source, 'figures/style.gp'));
-write('style.css', read(source, 'book/style.css').replace('/*light*/', paletteCss(colours, 'light')).replace('/*dark*/', paletteCss(colours, 'dark')));
+const style = read(source, 'book/style.css').replace('/*light*/', paletteCss(colours, 'light')).replace('/*dark*/', paletteCss(colours, 'dark'));
+write('style.css', woven(style, path.join(site, 'fonts'), /^(EBGaramond12-(Regular|Italic)|JetBrainsMono-Regular)$/));
 const katex = path.dirname(packages.resolve('katex/dist/katex.min.css'));
-write('katex/katex.css', read(katex, 'katex.min.css').replace(/,url\([^)]*\.(?:woff|ttf)\) format\("[^"]*"\)/g, ''));
+const formulaStyle = read(katex, 'katex.min.css').replace(/,url\([^)]*\.(?:woff|ttf)\) format\("[^"]*"\)/g, '');
+write('katex/katex.css', woven(formulaStyle, path.join(katex, 'fonts'), /^KaTeX_(Main-Regular|Math-Italic|Size\d-Regular)$/));
 for (const font of fs.readdirSync(path.join(katex, 'fonts')).filter((f) => f.endsWith('.woff2')))
   write(`katex/fonts/${font}`, fs.readFileSync(path.join(katex, 'fonts', font)));
 

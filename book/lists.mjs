@@ -73,6 +73,6 @@ function colophon(book) {
 }
 
 const search = () => '<form class="search" role="search" action="search.html"><label for="q">Search the book</label> <input id="q" name="q" type="search" autocomplete="off"> '
-  + '<button>Search</button></form>\n<noscript><p>The search needs a script; all else in this book does without.</p></noscript>\n<p id="found" role="status"></p>\n<ol id="results"></ol>\n';
+  + '<button>Search</button></form>\n<noscript><p>The search needs a script; all else in this book does without.</p></noscript>\n<p id="found" role="status"></p>\n<ol id="results"></ol>\n<script src="search.js" defer></script>\n';
 
 export const lists = { map, chapters, apparatus, concordance, speed, colophon, search };

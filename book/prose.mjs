@@ -129,8 +129,9 @@ export class Page {
   }
 
   /** {{...}} in a line of prose. */
-  refer(what) {
-    this.within = what;
+  refer(written) {
+    this.within = written;
+    const what = written.replace(/\s+/g, ' ');
     const [, kind, rest] = /^(eq|sec|api) +(.+)$/.exec(what) ?? [];
     if (kind === 'api') return `<a class="api" data-api="${escape(rest)}"><code>${escape(rest)}</code></a>`;
     if (kind === 'sec') return this.linkToSection(rest);

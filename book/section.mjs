@@ -3,10 +3,8 @@
 const cxxString = String.raw`"(?:[^"\\]|\\.)*"`;
 const strings = new RegExp(String.raw`(?:${cxxString}\s*)+`);
 const marked = /^(CHECK_THAT|TELL|(?:const )?(?:Erratum|Emendation|Doubtful|Undecided)\b)/;
-const depth = (line) => {
-  const bare = line.replace(new RegExp(`${cxxString}|'(?:[^'\\\\]|\\\\.)'|//.*`, 'g'), '');
-  return bare.split('{').length - bare.split('}').length;
-};
+const bare = (line) => line.replace(new RegExp(`${cxxString}|'(?:[^'\\\\]|\\\\.)'|//.*`, 'g'), '');
+const count = (line, sign) => bare(line).split(sign).length - 1;
 
 /** The first string literal in a piece of code, pieces of it joined. */
 function literal(code) {
@@ -26,8 +24,8 @@ function pieces(code, line) {
       all.push(piece);
     }
     piece.code += `${text}\n`;
-    open += depth(text);
-    piece.begun ||= depth(text) !== 0 || text.includes('}');
+    open += count(text, '{') - count(text, '}');
+    piece.begun ||= count(text, '{') > 0;
     piece.closed = piece.kind !== 'code' && piece.begun && open === 0;
   });
   for (const p of all) {

@@ -9,6 +9,12 @@ import { packages } from './packages.mjs';
 import { Formulas, Page, escape } from './prose.mjs';
 import { blocks, named, tagged } from './section.mjs';
 
+/** A fault is one line: where, and what. */
+process.on('uncaughtException', (error) => {
+  console.error(error.message);
+  process.exitCode = 1;
+});
+
 const [source, build] = process.argv.slice(2).map((p) => path.resolve(p));
 const read = (file) => fs.readFileSync(file, 'utf8');
 const json = (file) => JSON.parse(read(file));
@@ -227,9 +233,4 @@ function everything() {
   return order.length;
 }
 
-try {
-  console.log(`woven: ${everything()} pages`);
-} catch (error) {
-  console.error(process.env.DEBUG ? error : error.message);
-  process.exitCode = 1;
-}
+console.log(`woven: ${everything()} pages`);
