@@ -134,7 +134,7 @@ alt: Number of terms for five decimals against eta, both logarithmic. Euler's se
 at one degree to fifty at 100 degrees and cross it near 90 degrees. The series after one step and the mean stay low throughout. A band marks the angles between 6.7 and 60 degrees.
 
 The labour for five decimals. The three members end where the columns need more than two; from there to about 60° Euler's series asks for dozens to thousands of
-terms. One step of the arithmetic-geometric mean changes that; the mean itself never needs more than four.
+terms. One step of the arithmetic-geometric mean changes that; the mean itself never needs more than five steps.
 :::
 
 ## Checks
