@@ -162,6 +162,7 @@ CHECK_THAT("V is the slope of D/v, sums the series, and keeps its digits everywh
     const auto D_over = [](const Fifty& at) { return D(at) / at; };
     const Fifty slope = (D_over(Fifty(x) + h) - D_over(Fifty(x) - h)) / (2 * h);
     CHECK(V(Fifty(x)) == within_relative(slope, 1e-18, "the third derivative, at most 10⁵, times hh/6"));
+    CHECK(three_parts(x) == within(V(Fifty(x)), 2e-15 / (x * x), "three parts, each at most 2/vv"));
     CHECK(by_series(x, 400) == within_ulps(V(Fifty(x)), 100, "falling terms, all positive, at most 400 of them"));
   }
   for(const double x : {1e-150, 1e-8, 1e-4, 1e-2, 0.3, 0.6, 0.9})
