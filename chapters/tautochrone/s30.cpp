@@ -25,14 +25,15 @@ for the radius $r = MG$ at the place where the free part of the pendulum makes t
 vertical. In {{sec tautochrone.29}} the terms with $kk$ gave $P = -(1-\cos^4\varphi)/a\cos^3\varphi$. Now the
 terms with $k^4$ must vanish too. Divided by $a\,d\varphi$ they are
 
-$$ a^3Q\cos^3\varphi + 3aaPP\cos^2\varphi + 3aP\cos\varphi - 3aP\cos^3\varphi
-   - \frac{a\,dP\sin\varphi}{d\varphi} + 2\sin^2\varphi = 0. \tag{1} $$
+$$ \begin{aligned} a^3Q\cos^3\varphi &+ 3aaPP\cos^2\varphi + 3aP\cos\varphi - 3aP\cos^3\varphi \\
+   &- \frac{a\,dP\sin\varphi}{d\varphi} + 2\sin^2\varphi = 0. \end{aligned} \tag{1} $$
 
 Here $Q$ occurs without its differential, as $P$ did before it. What is to be solved is not a differential
 equation any more: it is enough to put in what is known. With $P$, $PP$ and $dP$ it becomes
 
-$$ a^3Q\cos^3\varphi + \frac{3}{\cos^4\varphi} - 3 - \frac{3}{\cos^2\varphi} + 3\cos^2\varphi + 3\sin^2\varphi
-   + \frac{3\sin^2\varphi}{\cos^4\varphi} = 0, \tag{2} $$
+$$ \begin{aligned}
+   a^3Q\cos^3\varphi &+ \frac{3}{\cos^4\varphi} - 3 - \frac{3}{\cos^2\varphi} + 3\cos^2\varphi \\
+   &+ 3\sin^2\varphi + \frac{3\sin^2\varphi}{\cos^4\varphi} = 0, \end{aligned} \tag{2} $$
 
 or, since $\sin^2\varphi = 1 - \cos^2\varphi$,
 
@@ -61,17 +62,18 @@ for coefficients. The program reckons with such sums exactly, so that its verdic
 matter of digits.
 */
 
-const Powers c{1, 1};  // cos φ
-const Powers sin2 = 1 - c * c;
+Powers c(int n) { return {1, n}; }  // the power n of cos φ
 
-Powers first(const Rational& a) { return (c * c * c * c - 1) / (a * c * c * c); }
+const Powers sin2 = 1 - c(2);
 
-Powers second(const Rational& a) { return -6 * sin2 / (a * a * a * c * c * c * c * c * c * c); }  // (4)
+Powers first(const Rational& a) { return (c(4) - 1) / (a * c(3)); }  // P of § 29
+
+Powers second(const Rational& a) { return -6 * sin2 / (a * a * a * c(7)); }  // (4)
 
 Powers third_line(const Rational& a, const Powers& P, const Powers& Q)  // (1)
 {
   const Powers dP_sin = -sin2 * derivative(P);  // d cos φ is −sin φ dφ
-  return a * a * a * Q * c * c * c + 3 * a * a * P * P * c * c + 3 * a * P * c - 3 * a * P * c * c * c
+  return a * a * a * Q * c(3) + 3 * a * a * P * P * c(2) + 3 * a * P * c(1) - 3 * a * P * c(3)
          - a * dP_sin + 2 * sin2;
 }
 
@@ -153,14 +155,15 @@ TELL
   tell("lost_0", lost(0, 30_deg), seconds, "what swings of 30° lose in a day on Huygens's cheeks");
   tell("lost_2", lost(2, 30_deg), seconds, "what they lose on those that belong to (5)");
   auto& losses = table("losses", "Seconds that a clock loses in a day, by the width of its swings",
-                       {{"phi", "φ", degrees}, {"cycloid", "cycloid"}, {"kk", "with P"}, {"k4", "with Q"}});
+                       {{"phi", "φ", degrees, 2}, {"cycloid", "cycloid", none, 3},
+                        {"kk", "with P", none, 3}, {"k4", "with P and Q", none, 3}});
   const auto cell = [](double loss) { return std::isnan(loss) ? Cell("r < 0") : Cell(loss); };
   for(const double amplitude : {5_deg, 10_deg, 20_deg, 30_deg, 45_deg, 60_deg})
     losses.row({amplitude, cell(lost(0, amplitude)), cell(lost(1, amplitude)), cell(lost(2, amplitude))});
 }
 
 /*!
-The figures: the radius over the whole swing, and the error left when more and more orders are kept.
+For the figures: the radius over the whole swing,
 */
 
 TELL
@@ -183,6 +186,14 @@ TELL
     for(std::size_t i = 0; i < angles.size(); ++i)
       out.put({static_cast<double>(angles[i] * 180 / exact::pi()), static_cast<double>(radii[i])});
   });
+}
+
+/*!
+and the error that is left when more and more orders of the series are kept.
+*/
+
+TELL
+{
   curve("orders", {"n", "at10", "at20", "at30", "at40", "at50"}, [](Curve& out) {
     const auto r_n = corrections<Fifty>(24);
     const Fifty end = tautochrone::highest_end(k_over_a()).phi;
@@ -227,19 +238,21 @@ double followed_back(double k, double phi, double tolerance)
 TELL
 {
   std::vector<Method> ways = {{"formula (5)", [] { return radius(a, k, phi); }}};
-  for(const int order : {1, 2, 4, 8, 12})
+  const std::pair<int, const char*> orders[] = {{1, "k²"}, {2, "k⁴"}, {4, "k⁸"}, {8, "k¹⁶"}, {12, "k²⁴"}};
+  for(const auto& [order, last] : orders)
   {
     exact::Laurent<double> kept;
     const auto exactly = truncated(order, k_over_a());
     for(int n = exactly.lowest(); n <= exactly.highest(); ++n)
       kept += exact::Laurent<double>(static_cast<double>(exactly[n]), n);
-    ways.push_back({"series to k^" + std::to_string(2 * order),
-                    [=] { return a * kept(std::cos(phi)); }, "series"});
+    ways.push_back({std::string("series to ") + last, [=] { return a * kept(std::cos(phi)); }, "series"});
   }
+  const std::pair<double, const char*> tolerances[] = {
+      {1e-4, "10⁻⁴"}, {1e-7, "10⁻⁷"}, {1e-10, "10⁻¹⁰"}, {1e-13, "10⁻¹³"}};
   if(k / a >= 0.01)  // for a smaller body the equation is too stiff
-    for(const int digits : {4, 7, 10, 13})
-      ways.push_back({"followed back to 1e-" + std::to_string(digits),
-                      [=] { return a * followed_back(k / a, phi, std::pow(10, -digits)); }, "GSL"});
+    for(const auto& [tolerance, name] : tolerances)
+      ways.push_back({std::string("followed back, ") + name,
+                      [t = tolerance] { return a * followed_back(k / a, phi, t); }, "GSL"});
   race("r", "r", Fifty(a) * highest(k_over_a(), Fifty(phi)), ways);
 }
 
@@ -251,9 +264,9 @@ worth still more:
 
 {{table losses}}
 
-With swings of 30° a clock loses {{lost_0|3}} in a day on Huygens's cheeks, {{lost_2|2}} on Euler's. With the
-few degrees that most clocks allow themselves there is hardly anything to mend, and what there is, $P$ mends.
-But at 60° the second correction achieves nearly nothing that the first has not.
+With swings of 30° a clock loses {{lost_0|3}} seconds in a day on Huygens's cheeks, {{lost_2|2}} on Euler's.
+With the few degrees that most clocks allow themselves there is hardly anything to mend, and what there is,
+$P$ mends. But at 60° the second correction achieves nearly nothing that the first has not.
 
 ::: figure tautochrone-30
 alt: The radius of curvature against the angle for a body with k = a/10. The cycloid falls as a cosine to zero
@@ -289,13 +302,12 @@ CHECK_THAT("with P and Q the third line vanishes, whatever a is")
     CHECK(third_line(length, first(length), second(length)) == Powers(0));
 }
 
-Powers put_in(const Rational& sixth, const Powers& Q)  // (2), with a = 1 and `sixth` for its first 3
+Powers put_in(const Rational& figure, const Powers& Q)  // (2), for a = 1, with a figure for its first 3
 {
-  const Powers c2 = c * c;
-  return Q * c2 * c + sixth / (c2 * c2) - 3 - 3 / c2 + 3 * c2 + 3 * sin2 + 3 * sin2 / (c2 * c2);
+  return Q * c(3) + figure / c(4) - 3 - 3 / c(2) + 3 * c(2) + 3 * sin2 + 3 * sin2 / c(4);
 }
 
-Powers gathered(const Powers& Q) { return Q * c * c * c + 6 / (c * c * c * c) - 6 / (c * c); }  // (3)
+Powers gathered(const Powers& Q) { return Q * c(3) + 6 / c(4) - 6 / c(2); }  // (3)
 
 CHECK_THAT("(1), (2) and (3) are the same, whatever Q is")
 {
@@ -316,12 +328,12 @@ CHECK_THAT("the machine finds the same P and Q from the equation alone")
 CHECK_THAT("with (5) nothing is left of the equation of § 28 up to k⁴, and something of k⁶")
 {
   const Rational length = 2;
-  std::vector<Powers> r = {length * c, first(length), second(length)};
+  std::vector<Powers> r = {length * c(1), first(length), second(length)};
   std::vector<Powers> dr_sin;
   for(const Powers& part : r)
     dr_sin.push_back(-sin2 * derivative(part));
   const auto left = tautochrone::equation<Expansion>(Powers(length), Expansion::x(), Expansion(r),
-                                                     Expansion(dr_sin), Powers(c));
+                                                     Expansion(dr_sin), c(1));
   for(int order = 0; order <= 2; ++order)
     CHECK(left[order] == Powers(0));
   CHECK_FALSE(left[3] == Powers(0));
@@ -344,13 +356,13 @@ double first_line(const Rational& a, const Powers& misread)
 
 const Emendation square_of_a{
     "§30, first line, the term with PP",
-    {"3a³PP cos²φ", [] { return first_line(2, (3 * 8 - 3 * 4) * first(2) * first(2) * c * c); }},
+    {"3a³PP cos²φ", [] { return first_line(2, (3 * 8 - 3 * 4) * first(2) * first(2) * c(2)); }},
     {"3aaPP cos²φ", [] { return first_line(2, 0); }},
     "all terms must be pure numbers, as sin²φ is: with a = 2 the line does not vanish otherwise", vanishes};
 
 const Emendation cube_of_cosine{
     "§30, first line, the second term with P",
-    {"3aP cos⁵φ", [] { return first_line(1, 3 * first(1) * c * c * c * sin2); }},
+    {"3aP cos⁵φ", [] { return first_line(1, 3 * first(1) * (c(3) - c(5))); }},
     {"3aP cos³φ", [] { return first_line(1, 0); }},
     "it comes from kk r³ cos φ of §28, and only so does the line vanish", vanishes};
 

@@ -24,12 +24,10 @@ using Expansion = exact::Series<Powers>;
 template <class Real>
 Real equation(const Real& a, const Real& kk, const Real& r, const Real& dr_sin, const Real& cos)
 {
-  // [equation]
   const Real rr = r * r;
   return a * rr * rr - a * a * rr * r * cos
          + kk * (2 * a * rr - a * a * r * cos - rr * r * cos - a * a * dr_sin)
          + kk * kk * (a - r * cos - dr_sin);
-  // [equation]
 }
 
 /**
@@ -44,8 +42,7 @@ Real equation(const Real& a, const Real& kk, const Real& r, const Real& dr_sin, 
 template <class Number>
 std::vector<exact::Laurent<Number>> corrections(int last);
 
-/// r/a through the power (kk/aa)^order, as a polynomial in cos φ and 1/cos φ. `k` is in units of a, and k ≥
-/// 0.
+/// r/a through the power (kk/aa)^order, as a polynomial in cos φ and 1/cos φ. `k` is k/a, not negative.
 /// @throws std::domain_error if order < 0
 exact::Laurent<exact::Fifty> truncated(int order, const exact::Fifty& k);
 
