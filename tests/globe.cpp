@@ -181,7 +181,25 @@ TEST_CASE("the time to the top in double keeps what it promises")
   CHECK_THROWS_AS(separatrix_time(0.1, 0.6, 1.6), std::domain_error);
   CHECK_THROWS_AS(separatrix_time(0.1, 0.0, 0.7), std::domain_error);
   CHECK_THROWS_AS(separatrix_time(-0.1, 0.6, 0.7), std::domain_error);
+  CHECK_THROWS_AS(separatrix_time(1e7, 0.6, 0.7), std::domain_error);
   CHECK_THROWS_AS(separatrix_time(std::nan(""), 0.6, 0.7), std::domain_error);
+}
+
+TEST_CASE("the angle at a time has that time")
+{
+  for(const double c : {0.0, 0.1, 1.0, 100.0})
+    for(const double tau : {1e-3, 0.5, 3.0, 40.0, 600.0})
+    {
+      const double omega = separatrix_angle(c, 1.0, tau);
+      const double last_place = std::nextafter(omega, 2.0) - omega;
+      const double blur = last_place * std::hypot(1.0, c * std::sin(2 * omega)) / std::sin(omega);
+      CHECK(separatrix_time(c, 1.0, omega) == within(tau, 5e-15 * tau + blur, "20 ulps and the last place of ω"));
+    }
+  CHECK(separatrix_angle(0.1, 0.6, 0.0) == within_ulps(exact::pi() / 2, 1, "an arc tangent"));
+  CHECK_THROWS_AS(separatrix_angle(0.1, 0.6, -1.0), std::domain_error);
+  CHECK_THROWS_AS(separatrix_angle(0.1, 0.6, 690 * 0.6), std::domain_error);
+  CHECK_THROWS_AS(separatrix_angle(0.1, 0.0, 1.0), std::domain_error);
+  CHECK_THROWS_AS(separatrix_angle(0.1, 0.6, std::nan("")), std::domain_error);
 }
 
 TEST_CASE("a Gauss rule is exact below twice its nodes, and not at it")

@@ -12,7 +12,7 @@ class Gauss
 {
 public:
   /// The rule with n nodes, exact for polynomials below the degree 2n. n ≥ 1, else std::invalid_argument.
-  /// Source: GSL's tables, good to the last bit for n ≤ 20, to 10⁻¹⁴ beyond.
+  /// Source: gsl_integration_glfixed, tabulated for n ≤ 20 and found by Newton's method for most others.
   explicit Gauss(int n);
 
   /// The integral of f from a to b.

@@ -10,8 +10,8 @@ namespace globe
 /// On a smooth plane, with just the velocity that the top asks for (ζζkk = 8gc, Euler's Case II): the time τ
 /// = t√(2gc) from the lowest position until the centre of gravity stands at the angle 2ω from the highest.
 ///
-/// Domain: c ≥ 0, k > 0, 0 < ω ≤ π/2; else std::domain_error. Error in double: 10 ulps for ω from 10⁻³⁰⁰ to
-/// 1.5 and c up to 10⁶ k.
+/// Domain: k > 0, 0 ≤ c ≤ 10⁶ k, 0 < ω ≤ π/2; else std::domain_error. Error in double: 10 ulps for ω from
+/// 10⁻³⁰⁰ to 1.5.
 ///
 /// Source: with v = cos ω, q = 1 + 4ccvv/kk, B = (2c/kk)(√(cc+kk) + c), X = (1 + B sin²ω)/(1 + B), Z = 1 +
 /// Bvv,
@@ -22,6 +22,14 @@ namespace globe
 /// all that is infinite at the top into the first term.
 template <class Real>
 Real separatrix_time(const Real& c, const Real& k, const Real& omega);
+
+/// The inverse: the ω of Case II at the time τ, π/2 at the start.
+///
+/// Domain: k > 0, 0 ≤ c ≤ 10⁶ k, 0 ≤ τ < 690 k, where ω is still above 10⁻³⁰⁰; else std::domain_error. The
+/// time of the result is τ within 20 ulps and what the last place of ω makes of it.
+///
+/// Source: halving in x = arsinh cot ω, since dτ/dx = √(kk + cc sin²Φ) lies between k and √(kk + cc).
+double separatrix_angle(double c, double k, double tau);
 
 extern template double separatrix_time(const double&, const double&, const double&);
 extern template exact::Fifty separatrix_time(const exact::Fifty&, const exact::Fifty&, const exact::Fifty&);
