@@ -24,14 +24,15 @@ Today: $t\sqrt{2g/b} = K(c)$, the complete elliptic integral of the first kind; 
 No integral that he knows gives it, so he makes a series of it. Of the two roots he leaves the first as it
 stands and develops the second, in which $cc$ is small when the swing is:
 
-$$ \frac{1}{\sqrt{1-ccyy}} = 1 + \tfrac12 ccyy + \frac{1\cdot3}{2\cdot4}c^4y^4
-   + \frac{1\cdot3\cdot5}{2\cdot4\cdot6}c^6y^6
-   + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}c^8y^8 + \text{etc.}, \tag{2} $$
+$$ \begin{aligned} \frac{1}{\sqrt{1-ccyy}} = 1 + \tfrac12 ccyy &+ \frac{1\cdot3}{2\cdot4}c^4y^4
+   + \frac{1\cdot3\cdot5}{2\cdot4\cdot6}c^6y^6 \\
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}c^8y^8 + \text{etc.}, \end{aligned} \tag{2} $$
 
 so that
 
-$$ \frac{dt\sqrt{2g}}{\sqrt b} = \frac{dy}{\sqrt{1-yy}}\left(1 + \tfrac12 ccyy + \frac{1\cdot3}{2\cdot4}c^4y^4
-   + \frac{1\cdot3\cdot5}{2\cdot4\cdot6}c^6y^6 + \text{etc.}\right). \tag{3} $$
+$$ \begin{aligned} \frac{dt\sqrt{2g}}{\sqrt b} = \frac{dy}{\sqrt{1-yy}}\Bigl(1 + \tfrac12 ccyy
+   &+ \frac{1\cdot3}{2\cdot4}c^4y^4 \\
+   &+ \frac{1\cdot3\cdot5}{2\cdot4\cdot6}c^6y^6 + \text{etc.}\Bigr). \end{aligned} \tag{3} $$
 
 Each part is now integrated from $y = 0$ to $y = 1$. The first gives a quarter of the circle whose radius is
 one,
@@ -47,15 +48,17 @@ whence, going up from {{eq 4}},
 $$ \int\frac{yy\,dy}{\sqrt{1-yy}} = \frac12\cdot\frac\pi2,\qquad
    \int\frac{y^4dy}{\sqrt{1-yy}} = \frac12\cdot\frac34\cdot\frac\pi2, \tag{6} $$
 
-$$ \int\frac{y^6dy}{\sqrt{1-yy}} = \frac12\cdot\frac34\cdot\frac56\cdot\frac\pi2,\qquad
-   \int\frac{y^8dy}{\sqrt{1-yy}} = \frac12\cdot\frac34\cdot\frac56\cdot\frac78\cdot\frac\pi2. \tag{7} $$
+$$ \begin{aligned} \int\frac{y^6dy}{\sqrt{1-yy}} &= \frac12\cdot\frac34\cdot\frac56\cdot\frac\pi2, \\
+   \int\frac{y^8dy}{\sqrt{1-yy}} &= \frac12\cdot\frac34\cdot\frac56\cdot\frac78\cdot\frac\pi2.
+   \end{aligned} \tag{7} $$
 
 These are the very fractions that stand in {{eq 2}}. Each therefore comes in twice, once from the root and
 once from the integral, and the time of half a swing is a series in which all of them are squared:
 
-$$ \frac{t\sqrt{2g}}{\sqrt b} = \frac\pi2\left(1 + \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4
-   + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6
-   + \frac{1^2\cdot3^2\cdot5^2\cdot7^2}{2^2\cdot4^2\cdot6^2\cdot8^2}c^8 + \text{etc.}\right). \tag{8} $$
+$$ \begin{aligned} \frac{t\sqrt{2g}}{\sqrt b} = \frac\pi2\Bigl(1 + \frac{1^2}{2^2}cc
+   &+ \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6 \\
+   &+ \frac{1^2\cdot3^2\cdot5^2\cdot7^2}{2^2\cdot4^2\cdot6^2\cdot8^2}c^8 + \text{etc.}\Bigr).
+   \end{aligned} \tag{8} $$
 
 ::: margin
 Today: ${}_2F_1(\tfrac12,\tfrac12;1;cc)$.
@@ -85,6 +88,11 @@ Real root(Real ccyy, int terms)  // (2)
   return sum;
 }
 
+double element_by_series(double y, double c, int terms)  // (3), without dy
+{
+  return root(c * c * y * y, terms) / std::sqrt(1 - y * y);
+}
+
 Rational ladder(int power)  // (4) to (7): ∫ y^power dy/√(1−yy), over ½π, for an even power
 {
   return power == 0 ? Rational(1) : Rational(power - 1, power) * ladder(power - 2);  // (5)
@@ -96,9 +104,9 @@ The series itself is used in many sections.
 ::: code pendulum/series.hpp series
 :::
 
-How good is it after $N$ terms? Call the fractions $a_n = \tfrac12\cdot\tfrac34\cdots\tfrac{2n-1}{2n}$. What
-is left out, $R_N$, begins with $a_N^2c^{2N}$, and each of its terms is less than $cc$ times the one before. A
-geometric series above, and another below, enclose it:
+How good is it after $N$ terms? With $a_n$ for the fraction $\tfrac12\cdot\tfrac34\cdots\tfrac{2n-1}{2n}$,
+what is left out, $R_N$, begins with $a_N^2c^{2N}$, and each of its terms is less than $cc$ times the one
+before. A geometric series above, and another below, enclose it:
 
 $$ \frac{a_N^2c^{2N}}{1 - cc\left(\frac{2N+1}{2N+2}\right)^2} < R_N < \frac{a_N^2c^{2N}}{1-cc}. \tag{9} $$
 
@@ -262,6 +270,8 @@ CHECK_THAT("the integral of the element from 0 to 1 is ½π over the arithmetic-
     CHECK(integral.value == within(K, 1e-36, "the rule's estimate, 1e-40, with room"));
     const double at_half = static_cast<double>(1 / sqrt(Fifty(0.75) * (1 - c * c / 4)));
     CHECK(element(0.5, std::sin(zeta / 2)) == within_ulps(at_half, 4, "seven roundings, halved by the root"));
+    const double summed = element_by_series(0.5, std::sin(zeta / 2), 40);
+    CHECK(summed == within_ulps(at_half, 8, "forty terms, the n-th below 4⁻ⁿ"));
   }
 }
 

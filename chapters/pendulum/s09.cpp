@@ -12,9 +12,10 @@ using pendulum::ratio_by_mean, pendulum::series;
 In {{sec pendulum.08}} the time $t$ was that of half a swing, from the lowest point to the turning point.
 Twice as much is the time $T$ of a whole one, from side to side:
 
-$$ T = \frac{\pi\sqrt b}{\sqrt{2g}}\left(1 + \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4
-   + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6
-   + \frac{1^2\cdot3^2\cdot5^2\cdot7^2}{2^2\cdot4^2\cdot6^2\cdot8^2}c^8 + \text{etc.}\right). \tag{1} $$
+$$ \begin{aligned} T = \frac{\pi\sqrt b}{\sqrt{2g}}\Bigl(1 + \frac{1^2}{2^2}cc
+   &+ \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6 \\
+   &+ \frac{1^2\cdot3^2\cdot5^2\cdot7^2}{2^2\cdot4^2\cdot6^2\cdot8^2}c^8 + \text{etc.}\Bigr).
+   \end{aligned} \tag{1} $$
 
 ::: margin
 His $g$ is a height, half of today's acceleration: $2g$ is what we call $g$. His $T$ is half of today's
@@ -33,9 +34,9 @@ What must this length be for a pendulum that beats seconds? $T$ has to be 1, and
 
 $$ b = \frac{2g}{\pi^2}. \tag{3} $$
 
-In Rhenish feet a body falls $g = 15\tfrac58$ in the first second, $2g = 31\tfrac14$, and he finds $b =
-3{,}16621$ feet. For a longer or a shorter pendulum the times are, as everybody knows, as the square roots of
-the lengths; but one has to mind, he adds, that infinitely small swings are meant.
+In Rhenish feet a body falls $g = 15\tfrac58$ in the first second, $2g = 31\tfrac14$, and he finds
+$b = 3{,}16621$ feet. For a longer or a shorter pendulum the times are, as everybody knows, as the square
+roots of the lengths; but one has to mind, he adds, that infinitely small swings are meant.
 
 ## The program
 
@@ -81,10 +82,11 @@ TELL
   tell("kept", whole_swing(b, g, std::sin(swing_.zeta / 2), terms), seconds, "the same by N terms of (1)");
   tell("small", small_swing(b, g), seconds, "time of one infinitely small swing");
   tell("seconds_length", seconds_length(g), feet, "length that beats seconds in infinitely small swings");
-  tell("seconds_length_wide", seconds_length_wide(g, amplitude), feet, "the same in swings of this amplitude");
+  tell("wide_length", seconds_length_wide(g, amplitude), feet, "the same in swings of this amplitude");
   tell("with_31", seconds_length(15.5), feet, "length that beats seconds if 2g is 31");
   tell("needed", 3.16621 / seconds_length(1), feet, "the g for which 3,16621 would be right");
-  tell("gained", 86400 * (1 / small_swing(3.16621, 15.625) - 1), seconds, "what a clock of 3,16621 ft gains in a day");
+  const double printed_swing = small_swing(3.16621, 15.625);
+  tell("gained", 86400 * (1 / printed_swing - 1), seconds, "what a clock of 3,16621 ft gains in a day");
 }
 
 /*!
@@ -125,9 +127,10 @@ TELL
 
 /*!
 The reading of $g$ is certain: with 31 feet the length would be {{with_31|5}}. The last digits are another
-matter. What {{eq 3}} gives is {{seconds_length|6}} feet, and no stand-in for $\pi$ leads to 3,16621. One way
-does, to the last digit: a difference of logarithms that is wrong by one in its fifth place. But a 9 taken for
-a 1 would do as well. A clock with this pendulum would gain {{gained|2}} seconds a day.
+matter. What {{eq 3}} gives is {{seconds_length|6}} feet, no stand-in for $\pi$ leads to 3,16621, and for his
+$\pi$ to be right $g$ would have to be {{needed|7}}. One way does, to the last digit: a difference of
+logarithms that is wrong by one in its fifth place. But a 9 taken for a 1 would do as well. A clock with this
+pendulum would gain {{gained|2}} seconds a day.
 
 ::: figure pendulum-09
 alt: Time of a swing against length, both logarithmic: parallel lines for 0, 90, 150 and 175 degrees.
@@ -154,8 +157,10 @@ CHECK_THAT("the series gives the time of a swing in seconds")
 CHECK_THAT("times are as the square roots of the lengths, at every amplitude")
 {
   for(const double length : {1.0, 2.0, 4.0})
-    CHECK(small_swing(length, 15.625)
-          == within_ulps(exact::pi() * sqrt(Fifty(length) / 31.25), 3, "two roots, two factors and a rounded π"));
+  {
+    const Fifty exact = exact::pi() * sqrt(Fifty(length) / 31.25);
+    CHECK(small_swing(length, 15.625) == within_ulps(exact, 3, "two roots, two factors and a rounded π"));
+  }
   for(const double c : {0.0, 0.5, 0.9})
   {
     const double once = whole_swing(1, 15.625, c, 100);

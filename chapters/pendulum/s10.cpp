@@ -11,9 +11,9 @@ using pendulum::ratio_by_mean, pendulum::series;
 /*!
 ## What Euler does
 
-The series of {{sec pendulum.09}} shows at once that a swing through a larger arc takes longer, since $c =
-\sin\tfrac12\zeta$ grows with the arc. To see by how much, he lets $cc$ be so small that $c^4$, $c^6$ and all
-higher powers can be left out. Let $\Theta$ be the time of an infinitely small swing of the same pendulum;
+The series of {{sec pendulum.09}} shows at once that a swing through a larger arc takes longer, since
+$c = \sin\tfrac12\zeta$ grows with the arc. To see by how much, he lets $cc$ be so small that $c^4$, $c^6$ and
+all higher powers can be left out. Let $\Theta$ be the time of an infinitely small swing of the same pendulum;
 then
 
 $$ T = \Theta(1 + \tfrac14 cc),\qquad\text{or}\qquad \Theta : T = 1 : 1 + \tfrac14 cc. \tag{1} $$
@@ -21,8 +21,8 @@ $$ T = \Theta(1 + \tfrac14 cc),\qquad\text{or}\qquad \Theta : T = 1 : 1 + \tfrac
 That is good for small swings. For larger ones more terms have to be taken.
 
 Next he makes the formula fit for use, where one measures lengths and not sines. Let the pendulum $AGO$ be at
-its greatest excursion, with $G$ the centre of gravity and $O$ the centre of oscillation, so that $AO = b =
-\frac{aa+kk}{a}$. From $O$ a horizontal line is drawn to $D$ on the vertical $AB$. Then
+its greatest excursion, with $G$ the centre of gravity and $O$ the centre of oscillation, so that
+$AO = b = \frac{aa+kk}{a}$. From $O$ a horizontal line is drawn to $D$ on the vertical $AB$. Then
 
 $$ OD = b\sin\zeta,\qquad AD = b\cos\zeta, \tag{2} $$
 
@@ -51,8 +51,8 @@ has risen.
 
 ## The program
 
-Everything in (2) and (3) is one line. The sagitta is formed from the sine of half the angle: the difference
-$1 - \cos\zeta$ has no digits left when the swing is small.
+Everything in {{eq 2}} and {{eq 3}} is one line. The sagitta is formed from the sine of half the angle: the
+difference $1 - \cos\zeta$ has no digits left when the swing is small.
 */
 
 struct Figure
@@ -66,7 +66,7 @@ Figure figure(double a, double k, double zeta)  // (2), (3)
   return {b, b * std::sin(zeta), b * std::cos(zeta), 2 * b * std::pow(std::sin(zeta / 2), 2)};
 }
 
-double rule(double b, double d)  // (4), which is (1)
+double rule(double b, double d)  // (1), (4)
 {
   return (8 * b + d) / (8 * b);
 }
@@ -169,27 +169,27 @@ And the figure's own lines and points.
 
 TELL
 {
-  const auto [b, OD, AD, BD] = figure(a, k, swing_.zeta);
+  const Figure f = figure(a, k, swing_.zeta);
   curve("points", {"x", "y"}, [=](Curve& c) {
-    const double share = a / b, half = swing_.zeta / 2;
+    const double share = a / f.b, half = swing_.zeta / 2;
     c.put({0, 0});  // A
-    c.put({0, -b});  // B
-    c.put({0, -AD});  // D
-    c.put({0, (-b - AD) / 2});  // in the middle of d
-    c.put({OD, -AD});  // O
-    c.put({OD * share, -AD * share});  // G
-    c.put({OD / 2, -AD / 2});  // in the middle of b
-    c.put({0.22 * b * std::sin(half), -0.22 * b * std::cos(half)});  // within ζ
+    c.put({0, -f.b});  // B
+    c.put({0, -f.AD});  // D
+    c.put({0, (-f.b - f.AD) / 2});  // in the middle of d
+    c.put({f.OD, -f.AD});  // O
+    c.put({f.OD * share, -f.AD * share});  // G
+    c.put({f.OD / 2, -f.AD / 2});  // in the middle of b
+    c.put({0.22 * f.b * std::sin(half), -0.22 * f.b * std::cos(half)});  // within ζ
   });
   curve("lines", {"x", "y"}, [=](Curve& c) {
-    for(const auto& [x, y] : {std::pair{0., -b}, {0., 0.}, {OD, -AD}, {0., -AD}})
+    for(const auto& [x, y] : {std::pair{0., -f.b}, {0., 0.}, {f.OD, -f.AD}, {0., -f.AD}})
       c.put({x, y});
   });
   curve("arc", {"x", "y", "mark_x", "mark_y"}, [=](Curve& c) {
     for(int i = 0; i <= 60; ++i)
     {
-      const double phi = swing_.zeta * i / 60;
-      c.put({b * std::sin(phi), -b * std::cos(phi), 0.2 * b * std::sin(phi), -0.2 * b * std::cos(phi)});
+      const double phi = swing_.zeta * i / 60, x = f.b * std::sin(phi), y = -f.b * std::cos(phi);
+      c.put({x, y, 0.2 * x, 0.2 * y});
     }
   });
 }

@@ -34,8 +34,8 @@ The equation of the motion is the one that was found in {{sec pendulum.07}},
 
 $$ \frac{dt\sqrt{2g}}{\sqrt b} = \frac{dz}{\sqrt{(1-zz)(cc-zz)}}, \tag{3} $$
 
-and what has to be done is to rewrite it in the new angles. (Here it is printed as it should be; in §7 the
-scan has spoiled both factors.)
+and what has to be done is to rewrite it in the new angles. (Here it is printed as it should be; in
+{{sec pendulum.07}} the scan has spoiled both factors.)
 
 ::: figure pendulum-13
 alt: A circle with centre A, lowest point B, highest b. The radius to g leans a little, that to Z much more.
@@ -79,8 +79,8 @@ and keeps all its digits. So does the time, if it is computed from $\sin\tfrac12
 ::: code pendulum/series.hpp ratio_by_mean
 :::
 
-The routines that take a modulus take $c$. Given the sine instead, Carlson's integral $R_F(0,
-\sin^2\tfrac12\eta, 1)$ is the same number.
+The routines that take a modulus take $c$. Given the sine instead, Carlson's integral
+$R_F(0, \sin^2\tfrac12\eta, 1)$ is the same number.
 */
 
 double ratio_of_modulus(double c)

@@ -44,7 +44,8 @@ double element(double psi, double eta)  // (4), without dψ
   return 1 / (2 * std::sqrt(std::pow(std::sin(psi / 2), 2) - std::pow(std::sin(eta / 2), 2)));
 }
 
-double element_before(double psi, double eta)  // (3) over the root of (1) less (2)
+double element_before(double psi, double eta)  // (1), (2), (3)
+  // (3) over the root of (1) less (2)
 {
   const double cc = std::pow(std::cos(eta / 2), 2), zz = std::pow(std::cos(psi / 2), 2);
   return 0.5 / std::sqrt(cc - zz);
@@ -141,7 +142,7 @@ CHECK_THAT("the element is one over the speed of the exact descent")
         continue;
       CHECK(element(psi_, eta) == within_ulps(1 / speed, width, "ψ is rounded, and the squares cancel"));
       const double lost = 1e-15 + 4e-16 / difference;
-      CHECK(element_before(psi_, eta) == within_relative(1 / speed, lost, "the difference of two numbers near 1"));
+      CHECK(element_before(psi_, eta) == within_relative(1 / speed, lost, "two numbers near 1 cancel"));
     }
   }
 }

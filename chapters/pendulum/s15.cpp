@@ -11,18 +11,18 @@ SECTION(pendulum, 15, "The series of the descent, and its first term")
 /*!
 ## What Euler does
 
-The descent begins in $g$, where $bAg = \eta$, and the time is counted from there; the integral of {{sec
-pendulum.14}} has therefore to vanish for $\psi = \eta$. Then $t$ is the time, in seconds, from the first
-position $Ag$ to any other, $AZ$.
+The descent begins in $g$, where $bAg = \eta$, and the time is counted from there; the integral of
+{{sec pendulum.14}} has therefore to vanish for $\psi = \eta$. Then $t$ is the time, in seconds, from the
+first position $Ag$ to any other, $AZ$.
 
 Soon after the start $\sin^2\tfrac12\eta$ is very small against $\sin^2\tfrac12\psi$. So the root can be
 developed by powers of their ratio:
 
-$$ \frac{d\psi}{2\sqrt{\sin^2\frac12\psi - \sin^2\frac12\eta}} 
-   = \tfrac12 d\psi\left(\frac1{\sin\frac12\psi} + \frac{1\cdot\sin^2\frac12\eta}{2\cdot\sin^3\frac12\psi}
-   + \frac{1\cdot3\,\sin^4\frac12\eta}{2\cdot4\,\sin^5\frac12\psi}
-   + \frac{1\cdot3\cdot5\,\sin^6\frac12\eta}{2\cdot4\cdot6\,\sin^7\frac12\psi}
-   + \text{etc.}\right). \tag{1} $$
+$$ \begin{aligned} \frac{d\psi}{2\sqrt{\sin^2\frac12\psi - \sin^2\frac12\eta}}
+   = \tfrac12 d\psi\Bigl(\frac1{\sin\frac12\psi} &+ \frac{1\cdot\sin^2\frac12\eta}{2\cdot\sin^3\frac12\psi}
+   + \frac{1\cdot3\,\sin^4\frac12\eta}{2\cdot4\,\sin^5\frac12\psi} \\
+   &+ \frac{1\cdot3\cdot5\,\sin^6\frac12\eta}{2\cdot4\cdot6\,\sin^7\frac12\psi}
+   + \text{etc.}\Bigr). \end{aligned} \tag{1} $$
 
 The first term can be integrated at once by logarithms,
 
@@ -44,8 +44,8 @@ $$ \frac{t\sqrt{2g}}{\sqrt b} = l\,\frac{\operatorname{tg}\frac14\psi}{\operator
 ## The program
 
 The development, and its first term. As in {{sec pendulum.14}} the way from the start, $\psi - \eta$, is what
-is handed on, so that nothing cancels when it is short: the quotient of the tangents is $1 +
-\sin\tfrac14(\psi-\eta) : \cos\tfrac14\psi\,\sin\tfrac14\eta$.
+is handed on, so that nothing cancels when it is short: the quotient of the tangents is
+$1 + \sin\tfrac14(\psi-\eta) : \cos\tfrac14\psi\,\sin\tfrac14\eta$.
 */
 
 double element(double psi, double eta, int terms)  // (1), without dψ
@@ -58,7 +58,7 @@ double element(double psi, double eta, int terms)  // (1), without dψ
 }
 
 template <class Real>
-Real first_term(Real way, Real eta)  // (3); way = ψ − η
+Real first_term(Real way, Real eta)  // (2), (3); way = ψ − η
 {
   using std::cos, std::log1p, std::sin;
   return log1p(sin(way / 4) / (cos((eta + way) / 4) * sin(eta / 4)));
@@ -78,10 +78,10 @@ Euler will pay it in {{sec pendulum.22}} and {{sec pendulum.24}}, for the whole 
 these sections, $D(v)$ and $W(v)$, can do more: taken not at 1 but at $v = \sin\alpha:\sin\omega$, with
 $\omega = \tfrac12\psi$ and $\alpha = \tfrac12\eta$, they give the time down to any place:
 
-$$ \frac{t\sqrt{2g}}{\sqrt b} \approx \left(1+\tfrac14\sin^2\alpha\right)
+$$ \begin{aligned} \frac{t\sqrt{2g}}{\sqrt b} \approx \left(1+\tfrac14\sin^2\alpha\right)
    l\,\frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}
-   + \left(1 + \tfrac34\sin^2\alpha\right)\cos\alpha\;l\,2
-   - \left(D(v) + \sin^2\alpha\;W(v)\right)\cos\omega. \tag{5} $$
+   &+ \left(1 + \tfrac34\sin^2\alpha\right)\cos\alpha\;l\,2 \\
+   &- \left(D(v) + \sin^2\alpha\;W(v)\right)\cos\omega. \end{aligned} \tag{5} $$
 
 ::: code pendulum/columns.hpp D
 :::

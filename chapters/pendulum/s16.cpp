@@ -24,8 +24,8 @@ series bring. With that he turns to them.
 ## The program
 
 The formula is one line, or two. For η near 180°, a small swing, the tangent of $\tfrac14\eta$ is near 1 and
-its logarithm has few digits left; there the inverse hyperbolic tangent of $\cos\tfrac12\eta =
-\sin\tfrac12\zeta$ serves.
+its logarithm has few digits left; there the inverse hyperbolic tangent of
+$\cos\tfrac12\eta = \sin\tfrac12\zeta$ serves.
 */
 
 double first_term(const swing::Amplitude& a)  // (1), in units √(b/2g)

@@ -8,9 +8,10 @@ namespace pendulum
 {
 
 // [tail]
-/// A little more than all terms of the series from the N-th on (the first being number 0): each a_n² is replaced by
-/// 1/π(n+¼), which it approaches from below, and what then stands there sums to an arc and a logarithm. The true tail
-/// lies between π a_N²(N+¼) times this and this (§8), so that the two differ by less than one part in 32N².
+/// A little more than all terms of the series from the N-th on (the first is number 0): each a_n²
+/// is replaced by 1/π(n+¼), which it approaches from below, and what then stands there sums to an
+/// arc and a logarithm. The true tail lies between π a_N²(N+¼) times this and this (§8), so that the
+/// two differ by less than one part in 32N².
 /// Domain: 0 < c < 1, s = √(1−cc) > 0, N ≥ 0. Real: double or exact::Fifty.
 /// Error: N + 4 ulps of itself for cc ≤ ½, beyond that (3 + N/2) ulps of the whole sum.
 template <class Real>
