@@ -14,16 +14,18 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-He adds up the members and finds that a swing through 350° takes four times and a half as long as a small one:
+He adds up the members and finds that a swing through 350° takes four times and a half as long as a small
+one:
 
 $$ T = (3{,}82675 + 0{,}69249 + 0{,}00099)\,\Theta = 4{,}52023\,\Theta. \tag{1} $$
 
-So if the pendulum beats seconds in its smallest swings, it will need about $4\tfrac12$ seconds for a swing through an arc of 350°. And if it
-goes through arcs still greater, still nearer to the full circle, the time will grow greatly, until for all the 360° it is infinite. One more
-example, whose arc is short of the circle by two degrees only, shall show how.
+So if the pendulum beats seconds in its smallest swings, it will need about $4\tfrac12$ seconds for a swing
+through an arc of 350°. And if it goes through arcs still greater, still nearer to the full circle, the time
+will grow greatly, until for all the 360° it is infinite. One more example, whose arc is short of the circle
+by two degrees only, shall show how.
 
-What he has added up is right, and the time is not. The three members make half a swing, in the unit $\sqrt b/\sqrt{2g}$; the factor
-forgotten in {{sec pendulum.29}} brings the swing down to
+What he has added up is right, and the time is not. The three members make half a swing, in the unit
+$\sqrt b/\sqrt{2g}$; the factor forgotten in {{sec pendulum.29}} brings the swing down to
 
 $$ T = \frac2\pi\cdot 4{,}52023\,\Theta = 2{,}8777\,\Theta, \tag{2} $$
 
@@ -31,7 +33,8 @@ and the seconds pendulum takes not four seconds and a half but less than three.
 
 ## The program
 
-Everything turns on whether the swing of 350° takes 4.5 or 2.9 seconds, so the program asks in every way it can. First Euler's own numbers.
+Everything turns on whether the swing of 350° takes 4.5 or 2.9 seconds, so the program asks in every way it
+can. First Euler's own numbers.
 */
 
 const auto swing_ = amplitude_from_top(5_deg, closed(90_deg, 179.99_deg));
@@ -40,8 +43,9 @@ const auto Theta = real("Theta", 1.0, seconds, positive, "time of one infinitely
 constexpr double euler_adds = 3.82675 + 0.69249 + 0.00099;  // (1)
 
 /*!
-Then his own series of {{sec pendulum.09}}, which converges here too if one has the patience for some ten thousand terms. Their rounding adds up,
-unless each term carries the small quantity, $1 - cc = \sin^2\tfrac12\eta$, and the smallest terms are added first.
+Then his own series of {{sec pendulum.09}}, which converges here too if one has the patience for some ten
+thousand terms. Their rounding adds up, unless each term carries the small quantity,
+$1 - cc = \sin^2\tfrac12\eta$, and the smallest terms are added first.
 */
 
 double by_his_series(double eta, int terms)
@@ -50,15 +54,17 @@ double by_his_series(double eta, int terms)
   double sum = 0;
   for(int n = terms - 1; n >= 0; --n)
   {
-    const double log_a = n == 0 ? 0 : std::lgamma(n + 0.5) - std::lgamma(n + 1.0) - 0.5 * std::log(std::numbers::pi);
+    const double log_a =
+        n == 0 ? 0 : std::lgamma(n + 0.5) - std::lgamma(n + 1.0) - 0.5 * std::log(std::numbers::pi);
     sum += std::exp(2 * log_a + n * log_cc);
   }
   return sum;
 }
 
 /*!
-Then the motion itself, by a general integrator that knows nothing of elliptic integrals: from rest at η below the top, $\psi'' = \sin\psi$, until
-$\psi$ reaches the other η. The unit of time is $\sqrt b/\sqrt{2g}$, so $\Theta$ is π.
+Then the motion itself, by a general integrator that knows nothing of elliptic integrals: from rest at η
+below the top, $\psi'' = \sin\psi$, until $\psi$ reaches the other η. The unit of time is
+$\sqrt b/\sqrt{2g}$, so $\Theta$ is π.
 */
 
 int falling(double, const double y[], double dydt[], void*)
@@ -71,7 +77,8 @@ int falling(double, const double y[], double dydt[], void*)
 double by_the_motion(double eta)  // T/Θ
 {
   gsl_odeiv2_system system{falling, nullptr, 2, nullptr};
-  gsl_odeiv2_driver* driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-13, 1e-13);
+  gsl_odeiv2_driver* driver =
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-13, 1e-13);
   double time = 0;
   double y[2] = {eta, 0};
   while(y[0] < std::numbers::pi - 0.01)
@@ -118,20 +125,23 @@ TELL
     for(int i = 0; i <= 400; ++i)
     {
       const double seconds_since_rest = whole * i / 400;
-      c.put({Theta * seconds_since_rest, motion.angle(std::numbers::pi * (seconds_since_rest - whole / 2)) / 1_deg});
+      c.put({Theta * seconds_since_rest,
+             motion.angle(std::numbers::pi * (seconds_since_rest - whole / 2)) / 1_deg});
     }
   });
 }
 
 /*!
-A pendulum that beats seconds takes {{T|6}} s through {{zeta|4}}° to either side; Euler prints {{printed|6}} s. His three members are right to
-the fifth decimal.
+A pendulum that beats seconds takes {{T|6}} s through {{zeta|4}}° to either side; Euler prints {{printed|6}}
+s. His three members are right to the fifth decimal.
 
 ::: figure pendulum-33
-alt: The angle of the pendulum against time for one swing from minus 175 to plus 175 degrees. It lingers near the ends, passes the lowest point in the middle and
-comes to rest at 2.88 seconds. A mark at 4.52 seconds, well to the right, shows where Euler's time ends.
+alt: The angle of the pendulum against time for one swing from minus 175 to plus 175 degrees. It lingers
+near the ends, passes the lowest point in the middle and comes to rest at 2.88 seconds. A mark at 4.52
+seconds, well to the right, shows where Euler's time ends.
 
-The swing of 350° of a seconds pendulum, from rest to rest. It is over after 2,88 s; Euler's time ends far beyond.
+The swing of 350° of a seconds pendulum, from rest to rest. It is over after 2,88 s; Euler's time ends far
+beyond.
 :::
 
 ## Checks
@@ -140,29 +150,37 @@ The swing of 350° of a seconds pendulum, from rest to rest. It is over after 2,
 CHECK_THAT("the members are added rightly, and make half a swing, not a whole one")
 {
   CHECK(euler_adds == within(4.52023, 1e-15, "three decimals added in binary"));
-  CHECK(double(ratio_by_mean(exact::pi() / 36) * exact::pi() / 2) == within(euler_adds, 1e-5, "three numbers of five decimals"));
+  CHECK(double(ratio_by_mean(exact::pi() / 36) * exact::pi() / 2)
+        == within(euler_adds, 1e-5, "three numbers of five decimals"));
 }
 
-const Erratum the_swing{
-    "§33, T for 350°", {"4,52023 Θ", 4.52023}, {"2,87766 Θ", 2.87766},
-    "the forgotten factor 2/π; his own series, the motion and the mean agree",
-    [](double reading) {
-      const double by_series = by_his_series(5_deg, 20'000);
-      const double by_motion = by_the_motion(5_deg);
-      return by_series == within(reading, 0.5e-5, "half a unit of the fifth decimal")
-          && by_motion == within(reading, 0.5e-5, "half a unit of the fifth decimal")
-          && ratio_by_mean(exact::pi() / 36) == within(reading, 0.5e-5, "half a unit of the fifth decimal");
-    }};
+const Erratum the_swing{"§33, T for 350°",
+                        {"4,52023 Θ", 4.52023},
+                        {"2,87766 Θ", 2.87766},
+                        "the forgotten factor 2/π; his own series, the motion and the mean agree",
+                        [](double reading) {
+                          const double by_series = by_his_series(5_deg, 20'000);
+                          const double by_motion = by_the_motion(5_deg);
+                          return by_series == within(reading, 0.5e-5, "half a unit of the fifth decimal")
+                                 && by_motion == within(reading, 0.5e-5, "half a unit of the fifth decimal")
+                                 && ratio_by_mean(exact::pi() / 36)
+                                        == within(reading, 0.5e-5, "half a unit of the fifth decimal");
+                        }};
 
 const Erratum in_seconds{
-    "§33, the seconds pendulum", {"about 4½ seconds", 4.5}, {"about 2 9/10 seconds", 2.9}, "the same factor",
+    "§33, the seconds pendulum",
+    {"about 4½ seconds", 4.5},
+    {"about 2 9/10 seconds", 2.9},
+    "the same factor",
     [](double reading) { return by_the_motion(5_deg) == within(reading, 0.05, "about, in tenths"); }};
 
 CHECK_THAT("the three ways that do not use Euler's members agree among themselves")
 {
   const Fifty exact = ratio_by_mean(exact::pi() / 36);
-  CHECK(by_his_series(5_deg, 20'000) == within_relative(exact, 2e-13, "the rounding of lgamma, over the 500 terms that count"));
-  CHECK(by_the_motion(5_deg) == within_relative(exact, 2e-11, "10⁻¹³ a step, grown by 8/η, and the last hundredth of a radian"));
+  CHECK(by_his_series(5_deg, 20'000)
+        == within_relative(exact, 2e-13, "the rounding of lgamma, over the 500 terms that count"));
+  CHECK(by_the_motion(5_deg)
+        == within_relative(exact, 2e-11, "10⁻¹³ a step, grown by 8/η, and the last hundredth of a radian"));
   CHECK(swing::ratio_from_top(5_deg) == within_ulps(exact, 2, "the library's bound, and 5° rounded"));
 }
 
@@ -170,6 +188,11 @@ CHECK_THAT("the three ways that do not use Euler's members agree among themselve
 The sum of the rounded members has a last digit that is one too large, since all three were rounded upwards.
 */
 
-const Erratum last_digit{
-    "§33, the sum of the members", {"4,52023", 4.52023}, {"4,52022", 4.52022}, "each member is rounded upwards",
-    [](double reading) { return three_members(exact::pi() / 72, 40).sum() == within(reading, 0.5e-5, "half a unit"); }};
+const Erratum last_digit{"§33, the sum of the members",
+                         {"4,52023", 4.52023},
+                         {"4,52022", 4.52022},
+                         "each member is rounded upwards",
+                         [](double reading) {
+                           return three_members(exact::pi() / 72, 40).sum()
+                                  == within(reading, 0.5e-5, "half a unit");
+                         }};

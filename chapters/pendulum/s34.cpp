@@ -10,8 +10,8 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-Now the pendulum is let go only one degree from the top: $bAg = 1°$, so that its arc is short of the circle by two degrees. Here
-$\eta = 1°$ and $\alpha = 30'$, and the table gives
+Now the pendulum is let go only one degree from the top: $bAg = 1°$, so that its arc is short of the circle
+by two degrees. Here $\eta = 1°$ and $\alpha = 30'$, and the table gives
 
 $$ l\cos 30' = 9{,}9999835, \qquad l\sin\alpha = 7{,}9408419, \tag{1} $$
 
@@ -48,12 +48,13 @@ std::vector<Line> reckoning(const Fifty& alpha)  // (1), (2), (3)
           {"l sin α", "7,9408419", sine.text(), true_power(1)},
           {"l sin²α", "5,8816838", (2 * sine).text(), true_power(2)},
           {"l sin⁴α", "1,7633676", (4 * sine).text(), true_power(4)},
-          {"series (3)", "1,00001904", rounded(factor_by_the_table(alpha), 8), ratio_by_mean(exact::pi() - 2 * alpha)}};
+          {"series (3)", "1,00001904", rounded(factor_by_the_table(alpha), 8),
+           ratio_by_mean(exact::pi() - 2 * alpha)}};
 }
 
 /*!
-How many terms of {{eq 3}} are needed at all? That depends on how far from the top the descent begins; the program counts those that it
-takes to leave less than half a unit of the eighth decimal.
+How many terms of {{eq 3}} are needed at all? That depends on how far from the top the descent begins; the
+program counts those that it takes to leave less than half a unit of the eighth decimal.
 */
 
 int terms_needed(double eta)
@@ -83,9 +84,11 @@ TELL
 For this angle {{terms_needed}} terms do; the arc is {{arc|5}}°, and {{factor|11}} is the sum.
 
 ::: figure pendulum-34
-alt: A staircase: the number of terms needed for eight decimals against eta on a logarithmic scale, from one or two below one degree to a dozen at 60 degrees.
+alt: A staircase: the number of terms needed for eight decimals against eta on a logarithmic scale, from one
+or two below one degree to a dozen at 60 degrees.
 
-How many terms of {{eq 3}} give eight decimals. Euler's "three or four" of {{sec pendulum.29}} serve up to about ten degrees.
+How many terms of {{eq 3}} give eight decimals. Euler's "three or four" of {{sec pendulum.29}} serve up to
+about ten degrees.
 :::
 
 ## Checks
@@ -100,17 +103,20 @@ CHECK_THAT("every printed line is what a table of seven places and honest doubli
 CHECK_THAT("the sum of the series is right to its eighth decimal")
 {
   CHECK(ratio_by_mean(exact::pi() - exact::pi() / 180) == printed("1,00001904"));
-  CHECK(factor_by_the_table(exact::pi() / 360) == within(ratio_by_mean(exact::pi() - exact::pi() / 180), 1e-11, "l sin²α to 7 places"));
+  CHECK(factor_by_the_table(exact::pi() / 360)
+        == within(ratio_by_mean(exact::pi() - exact::pi() / 180), 1e-11, "l sin²α to 7 places"));
 }
 
 /*!
-In the scan the second of {{eq 2}} has lost its exponent and the sign of the logarithm. Four times the printed logarithm of the sine, less thirty, leaves no
-doubt.
+In the scan the second of {{eq 2}} has lost its exponent and the sign of the logarithm. Four times the
+printed logarithm of the sine, less thirty, leaves no doubt.
 */
 
-const Emendation fourth_power{
-    "§34, the second power", {"sin²α = 1,7633676", 2}, {"l sin⁴α = 1,7633676", 4}, "it is four times l sin α, tens dropped",
-    [](double power) {
-      const SevenPlaces sine = SevenPlaces::as_written("7,9408419");
-      return (static_cast<int>(power) * sine).text() == "1,7633676";
-    }};
+const Emendation fourth_power{"§34, the second power",
+                              {"sin²α = 1,7633676", 2},
+                              {"l sin⁴α = 1,7633676", 4},
+                              "it is four times l sin α, tens dropped",
+                              [](double power) {
+                                const SevenPlaces sine = SevenPlaces::as_written("7,9408419");
+                                return (static_cast<int>(power) * sine).text() == "1,7633676";
+                              }};

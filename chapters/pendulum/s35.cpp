@@ -9,8 +9,8 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-As in {{sec pendulum.31}}, the series is multiplied by the hyperbolic logarithm of $\cot\tfrac12\alpha = \cot 15'$, whose common
-logarithm is 2,3601799. The first member is
+As in {{sec pendulum.31}}, the series is multiplied by the hyperbolic logarithm of
+$\cot\tfrac12\alpha = \cot 15'$, whose common logarithm is 2,3601799. The first member is
 
 $$ 1{,}00001904 \cdot 2{,}3601799 \cdot 2{,}30258509, \tag{1} $$
 
@@ -57,7 +57,10 @@ const auto swing_ = amplitude_from_top(1_deg, closed(90_deg, 179.9_deg));
 TELL
 {
   auto& rows = table("look_ups", "the three look-ups, rounded and cut off",
-                     {{"what", "what"}, {"printed", "printed"}, {"rounded", "rounded"}, {"cut", "cut off"},
+                     {{"what", "what"},
+                      {"printed", "printed"},
+                      {"rounded", "rounded"},
+                      {"cut", "cut off"},
                       {"true", "true", none, 10}});
   for(const LookedUp& l : look_ups())
     rows.row({l.what, l.printed, SevenPlaces::of(l.number).text(), SevenPlaces::cut_off(l.number).text(),
@@ -65,29 +68,36 @@ TELL
   const Fifty alpha = swing_.eta.fifty() / 2;
   const Fifty first = -log(tan(alpha / 2)) * ratio_by_mean(exact::pi() - 2 * alpha);
   tell_lines("lines", "what comes of them",
-             {{"log cot ½α", "2,3601799", rounded(-log(tan(alpha / 2)) / log(Fifty(10)), 7), -log(tan(alpha / 2)) / log(Fifty(10))},
+             {{"log cot ½α", "2,3601799", rounded(-log(tan(alpha / 2)) / log(Fifty(10)), 7),
+               -log(tan(alpha / 2)) / log(Fifty(10))},
               {"l member I", "0,7351691", sum_of_the_printed().text(), augmented_logarithm(first)},
               {"member I", "5,43461", rounded(sum_of_the_printed().number(), 5), first}},
              swing_.eta == 1_deg);
   tell("hyperbolic", -log(tan(alpha / 2)), "l cot ½α, the hyperbolic logarithm");
   tell("first", double(first), "the first member, exactly");
-  tell("antilogarithm", double(sum_of_the_printed().number()), "the number whose logarithm is the printed sum");
+  tell("antilogarithm", double(sum_of_the_printed().number()),
+       "the number whose logarithm is the printed sum");
   curve("off", {"line", "off"}, [](Curve& c) {
     double line = 0;
     for(const LookedUp& l : look_ups())
-      c.put({++line, 1e7 * (double(Fifty(std::string(l.printed).replace(1, 1, "."))) - double(augmented_logarithm(l.number)))});
+      c.put({++line, 1e7
+                         * (double(Fifty(std::string(l.printed).replace(1, 1, ".")))
+                            - double(augmented_logarithm(l.number)))});
   });
 }
 
 /*!
-The first logarithm is cut off where it should have been rounded up; the third is rounded up where it should have stayed. The two slips cancel, and
-the sum is right. Its antilogarithm is {{antilogarithm|8}}, which is cut off once more: rounded it would be 5,43462.
+The first logarithm is cut off where it should have been rounded up; the third is rounded up where it should
+have stayed. The two slips cancel, and the sum is right. Its antilogarithm is {{antilogarithm|8}}, which is
+cut off once more: rounded it would be 5,43462.
 
 ::: figure pendulum-35
-alt: How far each of the three printed logarithms lies from the true one, in units of the seventh place: the first two thirds of a unit below,
-outside the half unit of honest rounding, the second inside it, the third almost a whole unit above.
+alt: How far each of the three printed logarithms lies from the true one, in units of the seventh place: the
+first two thirds of a unit below, outside the half unit of honest rounding, the second inside it, the third
+almost a whole unit above.
 
-How far the three printed logarithms are from the true ones. An honest rounding stays within the shaded half unit; the first and the third leave it, to opposite sides, and together they are off by little.
+How far the three printed logarithms are from the true ones. An honest rounding stays within the shaded half
+unit; the first and the third leave it, to opposite sides, and together they are off by little.
 :::
 
 ## Checks
@@ -113,17 +123,30 @@ CHECK_THAT("their sum is added rightly, and is the right logarithm all the same"
   CHECK(truncated(first, 5) == "5,43461");
 }
 
-const Erratum first_logarithm{
-    "§35, l 1,00001904", {"0,0000082", 0.0000082}, {"0,0000083", 0.0000083}, "cut off, not rounded",
-    [](double reading) { return augmented_logarithm(Fifty("1.00001904")) == within(reading, 0.5e-7, "half a unit of the last place"); }};
+const Erratum first_logarithm{"§35, l 1,00001904",
+                              {"0,0000082", 0.0000082},
+                              {"0,0000083", 0.0000083},
+                              "cut off, not rounded",
+                              [](double reading) {
+                                return augmented_logarithm(Fifty("1.00001904"))
+                                       == within(reading, 0.5e-7, "half a unit of the last place");
+                              }};
 
-const Erratum third_logarithm{
-    "§35, l 2,3601799", {"0,3729452", 0.3729452}, {"0,3729451", 0.3729451}, "the table's entry; it makes good the slip before",
-    [](double reading) { return augmented_logarithm(Fifty("2.3601799")) == within(reading, 0.5e-7, "half a unit of the last place"); }};
+const Erratum third_logarithm{"§35, l 2,3601799",
+                              {"0,3729452", 0.3729452},
+                              {"0,3729451", 0.3729451},
+                              "the table's entry; it makes good the slip before",
+                              [](double reading) {
+                                return augmented_logarithm(Fifty("2.3601799"))
+                                       == within(reading, 0.5e-7, "half a unit of the last place");
+                              }};
 
-const Erratum member{
-    "§35, member I", {"5,43461", 5.43461}, {"5,43462", 5.43462}, "cut off, not rounded",
-    [](double reading) {
-      const Fifty alpha = exact::pi() / 360;
-      return -log(tan(alpha / 2)) * ratio_by_mean(exact::pi() - 2 * alpha) == within(reading, 0.5e-5, "half a unit of the last place");
-    }};
+const Erratum member{"§35, member I",
+                     {"5,43461", 5.43461},
+                     {"5,43462", 5.43462},
+                     "cut off, not rounded",
+                     [](double reading) {
+                       const Fifty alpha = exact::pi() / 360;
+                       return -log(tan(alpha / 2)) * ratio_by_mean(exact::pi() - 2 * alpha)
+                              == within(reading, 0.5e-5, "half a unit of the last place");
+                     }};

@@ -11,13 +11,14 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-The closer the swing comes to the whole circle, the longer it lasts and the less it costs to compute: a small $\alpha$ makes the members of
-{{eq pendulum.29 2}} fall off at once. With a greater $\alpha$ the labour grows, and when the terms with the higher powers of $\sin\alpha$ can no longer be
-neglected the method fails altogether, since the sums of the fourth and later columns would need reckoning too intricate, and no device
-of analysis is known that would help.
+The closer the swing comes to the whole circle, the longer it lasts and the less it costs to compute: a
+small $\alpha$ makes the members of {{eq pendulum.29 2}} fall off at once. With a greater $\alpha$ the
+labour grows, and when the terms with the higher powers of $\sin\alpha$ can no longer be neglected the
+method fails altogether, since the sums of the fourth and later columns would need reckoning too intricate,
+and no device of analysis is known that would help.
 
-But then, he says, the dissertation's own series does the business much better. For then $\zeta = 180° - \eta$ is such that
-$c = \sin\tfrac12\zeta = \cos\tfrac12\eta$ is notably less than 1, and
+But then, he says, the dissertation's own series does the business much better. For then
+$\zeta = 180° - \eta$ is such that $c = \sin\tfrac12\zeta = \cos\tfrac12\eta$ is notably less than 1, and
 
 $$ \frac{T}{\Theta} = 1 + \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6
    + \text{etc.} \tag{1} $$
@@ -25,16 +26,18 @@ $$ \frac{T}{\Theta} = 1 + \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4
 converges well enough for its sum to be had by adding up several terms.
 
 ::: margin
-In one phrase: an expansion about $k = 1$ for the wide swings, one about $k = 0$ for the others, and the hope that they overlap.
+In one phrase: an expansion about $k = 1$ for the wide swings, one about $k = 0$ for the others, and the
+hope that they overlap.
 :::
 
-Is that so? The claim has two ends, and both can be measured: up to which η do the three members serve, and how many terms of {{eq 1}} does it
-take from there on?
+Is that so? The claim has two ends, and both can be measured: up to which η do the three members serve, and
+how many terms of {{eq 1}} does it take from there on?
 
 ## The program
 
-To five decimals of $K$, as in his examples, the three members serve while what they leave out is less than half a unit of the fifth. One
-bisection finds the angle; another, with the fourth column added, how much that column would have given him.
+To five decimals of $K$, as in his examples, the three members serve while what they leave out is less than
+half a unit of the fifth. One bisection finds the angle; another, with the fourth column added, how much
+that column would have given him.
 */
 
 double left_out(double eta, int columns)  // of K, by the logarithmic column and so many of the others
@@ -51,8 +54,9 @@ double reach(int columns)  // the η at which half a unit of the fifth decimal i
 }
 
 /*!
-The other end: terms of {{eq 1}} until no more than half a unit of the fifth decimal of $K$ is missing; and the same count for what is known today, a series
-after one step of the arithmetic-geometric mean, and the steps of that mean alone.
+The other end: terms of {{eq 1}} until no more than half a unit of the fifth decimal of $K$ is missing; and
+the same count for what is known today, a series after one step of the arithmetic-geometric mean, and the
+steps of that mean alone.
 */
 
 template <class Sum>
@@ -93,9 +97,12 @@ TELL
   tell("terms_there", terms_of_his_series(eta, unit), "terms of (1) for the same accuracy at that η");
   tell("terms_150", terms_of_his_series(30_deg, unit), "terms of (1) at ζ = 150°");
   tell("terms_120", terms_of_his_series(60_deg, unit), "terms of (1) at ζ = 120°");
-  tell("one_step_there", terms_until(swing::ratio_from_top(eta), unit, [=](int n) { return after_one_step(eta, n); }),
+  tell("one_step_there",
+       terms_until(swing::ratio_from_top(eta), unit, [=](int n) { return after_one_step(eta, n); }),
        "terms at the first of these angles after one step of the mean");
-  tell("columns_there", terms_until(swing::quarter_time_from_top(30_deg), 0.5e-5, [](int n) { return sum_by_columns(15_deg, n); }),
+  tell("columns_there",
+       terms_until(swing::quarter_time_from_top(30_deg), 0.5e-5,
+                   [](int n) { return sum_by_columns(15_deg, n); }),
        "columns beside the logarithmic one at ζ = 150°");
 }
 
@@ -117,35 +124,43 @@ TELL
         std::tie(a, g) = std::pair{(a + g) / 2, std::sqrt(a * g)};
       c.put({eta, double(terms_of_his_series(e, unit)),
              double(terms_until(exact, unit, [=](int n) { return after_one_step(e, n); })),
-             double(terms_until(exact * std::numbers::pi / 2, 0.5e-5, [=](int n) { return sum_by_columns(e / 2, n); })),
+             double(terms_until(exact * std::numbers::pi / 2, 0.5e-5,
+                                [=](int n) { return sum_by_columns(e / 2, n); })),
              double(steps)});
     }
   });
 }
 
 /*!
-The three members serve up to {{three_reach|f2}}°, with the fourth column they would have served to {{four_reach|f1}}°. But where they give up, the
-series that Euler recommends in their place needs {{terms_there}} terms; at 150° it is still {{terms_150}}, at 120° it is {{terms_120}}. Between about
-seven and sixty degrees from the top neither of his methods is fit for work by hand. What would have closed the gap is within his reach: all the columns
-({{sec pendulum.28}}) need only {{columns_there}} at 150°.
+The three members serve up to {{three_reach|f2}}°, with the fourth column they would have served to
+{{four_reach|f1}}°. But where they give up, the series that Euler recommends in their place needs
+{{terms_there}} terms; at 150° it is still {{terms_150}}, at 120° it is {{terms_120}}. Between about seven
+and sixty degrees from the top neither of his methods is fit for work by hand. What would have closed the
+gap is within his reach: all the columns ({{sec pendulum.28}}) need only {{columns_there}} at 150°.
 
 ::: figure pendulum-37
-alt: Number of terms for five decimals against eta, both logarithmic. Euler's series falls from a hundred thousand terms at one degree to ten at 120 degrees. The columns rise from two
-at one degree to fifty at 100 degrees and cross it near 90 degrees. The series after one step and the mean stay low throughout. A band marks the angles between 6.7 and 60 degrees.
+alt: Number of terms for five decimals against eta, both logarithmic. Euler's series falls from a hundred
+thousand terms at one degree to ten at 120 degrees. The columns rise from two at one degree to fifty at 100
+degrees and cross it near 90 degrees. The series after one step and the mean stay low throughout. A band
+marks the angles between 6.7 and 60 degrees.
 
-The labour for five decimals. The three members end where the columns need more than two; from there to about 60° Euler's series asks for dozens to thousands of
-terms. One step of the arithmetic-geometric mean changes that; the mean itself never needs more than five steps.
+The labour for five decimals. The three members end where the columns need more than two; from there to
+about 60° Euler's series asks for dozens to thousands of terms. One step of the arithmetic-geometric mean
+changes that; the mean itself never needs more than five steps.
 :::
 
 ## Checks
 */
 
-CHECK_THAT("at the angle found, what the three members leave out lies inside the bracket of the fourth column")
+CHECK_THAT(
+    "at the angle found, what the three members leave out lies inside the bracket of the fourth column")
 {
   const double eta = reach(2);
   const double x = std::pow(std::sin(eta / 2), 2);
   const double S2 = column_sums<double>(3)[2];
-  CHECK(0.5e-5 / (x * x) == between(S2 * std::cos(eta / 2), S2 / std::cos(eta / 2) * 1.003, "S₂ cos α/(1 − 0,881 x) to S₂/cos α"));
+  CHECK(0.5e-5 / (x * x)
+        == between(S2 * std::cos(eta / 2), S2 / std::cos(eta / 2) * 1.003,
+                   "S₂ cos α/(1 − 0,881 x) to S₂/cos α"));
   CHECK(left_out(eta * 0.999, 2) < 0.5e-5);
   CHECK(left_out(eta * 1.001, 2) > 0.5e-5);
 }
@@ -161,18 +176,20 @@ CHECK_THAT("the count of terms of his series is the least one, by fifty digits")
   CHECK(exact - series(cc, terms - 1) > Fifty(unit));
 }
 
-const Erratum several_terms{
-    "§37, how many terms of the series", {"several", 50}, {"some thousands, where the three members give up", 2720},
-    "at the angle where three members no longer give five decimals",
-    [](double terms) {
-      const Fifty eta = reach(2);
-      return series(pow(cos(eta / 2), 2), static_cast<int>(terms))
-          == within(ratio_by_mean(eta), 0.5e-5, "half a unit of the fifth decimal");
-    }};
+const Erratum several_terms{"§37, how many terms of the series",
+                            {"several", 50},
+                            {"some thousands, where the three members give up", 2720},
+                            "at the angle where three members no longer give five decimals",
+                            [](double terms) {
+                              const Fifty eta = reach(2);
+                              return series(pow(cos(eta / 2), 2), static_cast<int>(terms))
+                                     == within(ratio_by_mean(eta), 0.5e-5,
+                                               "half a unit of the fifth decimal");
+                            }};
 
 /*!
-The two expansions do meet, and the swing of 150° can be had by both. It must come to $\sqrt3$ times the swing of 30°, which is one of the few relations between swings that
-need no tables.
+The two expansions do meet, and the swing of 150° can be had by both. It must come to $\sqrt3$ times the
+swing of 30°, which is one of the few relations between swings that need no tables.
 */
 
 CHECK_THAT("both expansions give the swing of 150°, and it is √3 times that of 30°")
@@ -185,20 +202,26 @@ CHECK_THAT("both expansions give the swing of 150°, and it is √3 times that o
 }
 
 /*!
-The page has lost its head: the number of the section must be supplied. And one reading stays open. The copy lets the method fail when the terms with
-$\sin^6\alpha$ count; since it is the *fourth* column that is missing one would rather expect $\sin^4\alpha$. But what is said is true of either power: wherever the one or
-the other counts, the three members are not enough.
+The page has lost its head: the number of the section must be supplied. And one reading stays open. The copy
+lets the method fail when the terms with $\sin^6\alpha$ count; since it is the *fourth* column that is
+missing one would rather expect $\sin^4\alpha$. But what is said is true of either power: wherever the one
+or the other counts, the three members are not enough.
 */
 
-const Emendation heading{
-    "§37, the heading", {"none, the text runs on from §36", 36}, {"§. 37", 37}, "§36 has ended, and §38 follows",
-    [](double number) { return number > 36 && number < 38; }};
+const Emendation heading{"§37, the heading",
+                         {"none, the text runs on from §36", 36},
+                         {"§. 37", 37},
+                         "§36 has ended, and §38 follows",
+                         [](double number) { return number > 36 && number < 38; }};
 
-const Undecided power{
-    "§37, the terms that cannot be neglected", {"sin⁶α", 6}, {"sin⁴α", 4}, "where either counts in the fifth decimal, the method fails",
-    [](double exponent) {
-      const auto S = column_sums<double>(4);
-      const int column = static_cast<int>(exponent) / 2;
-      const double s = std::pow(1e-5 / S[static_cast<std::size_t>(column)], 1 / exponent);  // sin α at which that column is a unit
-      return left_out(2 * std::asin(s), 2) > 0.5e-5;
-    }};
+const Undecided power{"§37, the terms that cannot be neglected",
+                      {"sin⁶α", 6},
+                      {"sin⁴α", 4},
+                      "where either counts in the fifth decimal, the method fails",
+                      [](double exponent) {
+                        const auto S = column_sums<double>(4);
+                        const int column = static_cast<int>(exponent) / 2;
+                        const double s = std::pow(1e-5 / S[static_cast<std::size_t>(column)],
+                                                  1 / exponent);  // sin α at which that column is a unit
+                        return left_out(2 * std::asin(s), 2) > 0.5e-5;
+                      }};

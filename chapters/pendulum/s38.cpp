@@ -10,18 +10,19 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-He closes by saying why he has given the widest swings so much care: of all who studied the motion of pendulums nobody had touched this case. Yet
-it deserves the greatest attention, since it cannot be solved without devices of its own, in the calculation and in the integrations; and the
-series of the fourth and later columns, which he had to pass over here, may give geometers an occasion to carry this fine part of
+He closes by saying why he has given the widest swings so much care: of all who studied the motion of
+pendulums nobody had touched this case. Yet it deserves the greatest attention, since it cannot be solved
+without devices of its own, in the calculation and in the integrations; and the series of the fourth and
+later columns, which he had to pass over here, may give geometers an occasion to carry this fine part of
 analysis further.
 
-The invitation can be accepted. All his columns have sums, and one line gives them in turn ({{sec pendulum.28}}): with $S_0 = l2$ and
-$S_1 = \tfrac34\,l2$,
+The invitation can be accepted. All his columns have sums, and one line gives them in turn
+({{sec pendulum.28}}): with $S_0 = l2$ and $S_1 = \tfrac34\,l2$,
 
 $$ (j+1)^2 S_{j+1} = \left(2j^2 + 2j + \tfrac34\right) S_j - j^2 S_{j-1} - \frac{j\,a_j^2}{4(j+1)}. \tag{1} $$
 
-With them the method of the supplement is complete, from the top down to a right angle and beyond. What remains is to set it beside what
-was found after him, in agreement over three hundred powers of ten.
+With them the method of the supplement is complete, from the top down to a right angle and beyond. What
+remains is to set it beside what was found after him, in agreement over three hundred powers of ten.
 
 ::: margin
 $a_j = \frac12\cdot\frac34\cdots\frac{2j-1}{2j}$, as in {{sec pendulum.08}}.
@@ -29,7 +30,8 @@ $a_j = \frac12\cdot\frac34\cdots\frac{2j-1}{2j}$, as in {{sec pendulum.08}}.
 
 ## The program
 
-Four ways to one number. The first is Euler's, carried through: the logarithmic column and as many of the others as it takes.
+Four ways to one number. The first is Euler's, carried through: the logarithmic column and as many of the
+others as it takes.
 */
 
 double by_all_columns(double eta)  // (1)
@@ -53,14 +55,14 @@ double by_one_logarithm(double eta)
 }
 
 /*!
-The third is the arithmetic-geometric mean. The fourth is Jacobi's: with the nome $q'$ of the complementary swing, whose series converge at a breathtaking
-rate,
+The third is the arithmetic-geometric mean. The fourth is Jacobi's: with the nome $q'$ of the complementary
+swing, whose series converge at a breathtaking rate,
 
 $$ \frac T\Theta = \frac1\pi\,\ln\frac1{q'}\;\vartheta_3(q')^2, \qquad q' = \varepsilon + 2\varepsilon^5 + 15\varepsilon^9 + \cdots, \quad
    \varepsilon = \frac{1-\sqrt{c}}{2(1+\sqrt{c})}. \tag{2} $$
 
-Near the top ε is below the smallest double, so that its logarithm has to be carried; and since $1-c$ is $2\sin^2\tfrac14\eta$, it is the square of
-$\sin\tfrac14\eta/(1+\sqrt c)$, in which nothing cancels.
+Near the top ε is below the smallest double, so that its logarithm has to be carried; and since $1-c$ is
+$2\sin^2\tfrac14\eta$, it is the square of $\sin\tfrac14\eta/(1+\sqrt c)$, in which nothing cancels.
 */
 
 double by_theta(double eta)  // (2)
@@ -113,11 +115,13 @@ TELL
 
 /*!
 ::: figure pendulum-38
-alt: Errors of the five ways in units of the last place, against eta from 1.5 radians down to ten to the minus 300, on a logarithmic scale. All lie below four ulp;
-the columns, the mean and the theta function wander, the edition's own function stays below one.
+alt: Errors of the five ways in units of the last place, against eta from 1.5 radians down to ten to the
+minus 300, on a logarithmic scale. All lie below four ulp; the columns, the mean and the theta function
+wander, the edition's own function stays below one.
 
-The invitation, answered: Euler's columns, the mean, Jacobi's theta function and the edition's own table, all within a few units of the last place of the fifty-digit value,
-from a right angle to $10^{-300}$ of a radian.
+The invitation, answered: Euler's columns, the mean, Jacobi's theta function and the edition's own table,
+all within a few units of the last place of the fifty-digit value, from a right angle to $10^{-300}$ of a
+radian.
 :::
 
 ## Checks
@@ -138,7 +142,8 @@ CHECK_THAT("the four ways agree with fifty digits from a right angle to the last
 }
 
 /*!
-The line {{eq 1}} is checked against the definition of the columns, the sum of what stands in them, with a bound for the tail that is not added.
+The line {{eq 1}} is checked against the definition of the columns, the sum of what stands in them, with a
+bound for the tail that is not added.
 */
 
 CHECK_THAT("the recurrence gives the sums of the columns as Euler's array defines them")
@@ -151,6 +156,8 @@ CHECK_THAT("the recurrence gives the sums of the columns as Euler's array define
     for(int m = j + 1; m <= rows; ++m)
       sum += entry(m, j);
     const double tail = double(exact::double_factorial_ratio(rows)) * (rows + 1.0) / (rows + 1.0 - j);
-    CHECK(S[static_cast<std::size_t>(j)] == between(Fifty(sum), Fifty(sum) + Fifty(tail), "an entry is below a_m/2(m−j), and those of the tail sum to less than a₈₀·81/(81−j)"));
+    CHECK(S[static_cast<std::size_t>(j)]
+          == between(Fifty(sum), Fifty(sum) + Fifty(tail),
+                     "an entry is below a_m/2(m−j), and those of the tail sum to less than a₈₀·81/(81−j)"));
   }
 }

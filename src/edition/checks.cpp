@@ -66,9 +66,11 @@ struct Keeper : doctest::IReporter
   void log_assert(const doctest::AssertData& data) override
   {
     auto& claims = cases_run().back().claims;
-    ClaimMade made{data.m_expr, !data.m_failed, take_last_claim(), data.m_failed ? data.m_decomp.c_str() : ""};
-    const bool seen = std::any_of(claims.begin(), claims.end(),
-                                  [&](const ClaimMade& c) { return c.passed && c.expression == made.expression; });
+    ClaimMade made{data.m_expr, !data.m_failed, take_last_claim(),
+                   data.m_failed ? data.m_decomp.c_str() : ""};
+    const bool seen = std::any_of(claims.begin(), claims.end(), [&](const ClaimMade& c) {
+      return c.passed && c.expression == made.expression;
+    });
     if(data.m_failed || !seen)
       claims.push_back(std::move(made));
   }
@@ -98,9 +100,12 @@ EntryTried attempt(const Entry& e)
 
 ordered_json as_json(const ClaimMade& made)
 {
-  return {{"expression", made.expression},        {"passed", made.passed},
-          {"got", made.claim.got},                {"expected", made.claim.expected},
-          {"tolerance", made.claim.tolerance},    {"because", made.claim.because}};
+  return {{"expression", made.expression},
+          {"passed", made.passed},
+          {"got", made.claim.got},
+          {"expected", made.claim.expected},
+          {"tolerance", made.claim.tolerance},
+          {"because", made.claim.because}};
 }
 
 std::string json_report(const Section& s, bool passed, const std::vector<EntryTried>& tried)
@@ -129,22 +134,24 @@ std::string json_report(const Section& s, bool passed, const std::vector<EntryTr
 
 std::string text_report(const Section& s, const std::vector<EntryTried>& tried)
 {
-  std::string out = fmt::format("{}: {} checks, {} readings\n", s.program(), cases_run().size(), tried.size());
+  std::string out =
+      fmt::format("{}: {} checks, {} readings\n", s.program(), cases_run().size(), tried.size());
   for(const CaseRun& c : cases_run())
   {
     out += fmt::format("  {} {}\n", c.passed ? "holds " : "FAILS ", c.name);
     for(const ClaimMade& made : c.claims)
       if(!made.passed)
-        out += fmt::format("         line {}: {}\n         with values: {}\n         got {}, expected {} ({}: {})\n",
-                           c.line, made.expression, made.shown, made.claim.got, made.claim.expected,
-                           made.claim.tolerance, made.claim.because);
+        out += fmt::format(
+            "         line {}: {}\n         with values: {}\n         got {}, expected {} ({}: {})\n",
+            c.line, made.expression, made.shown, made.claim.got, made.claim.expected, made.claim.tolerance,
+            made.claim.because);
     if(c.claims.empty())
       out += "         it claims nothing\n";
   }
   for(const EntryTried& t : tried)
-    out += fmt::format("  {} {}: {}: what is printed {}, what is right {}\n", t.passed ? "holds " : "FAILS ",
-                       name_of(t.entry->kind), t.entry->where, t.printed_holds ? "holds" : "fails",
-                       t.right_holds ? "holds" : "fails");
+    out += fmt::format("  {} {}: {}: what is printed {}, what is right {}\n",
+                       t.passed ? "holds " : "FAILS ", name_of(t.entry->kind), t.entry->where,
+                       t.printed_holds ? "holds" : "fails", t.right_holds ? "holds" : "fails");
   return out;
 }
 
@@ -159,12 +166,14 @@ CheckResult run_checks(const Section& s, const std::vector<std::string>& doctest
   for(const std::string& argument : doctest_arguments)
     arguments.push_back(argument.c_str());
   context.applyCommandLine(static_cast<int>(arguments.size()), arguments.data());
-  const bool cases_pass = context.run() == 0
+  const bool cases_pass =
+      context.run() == 0
       && std::all_of(cases_run().begin(), cases_run().end(), [](const CaseRun& c) { return c.passed; });
   std::vector<EntryTried> tried;
   for(const Entry& e : s.apparatus)
     tried.push_back(attempt(e));
-  const bool passed = cases_pass && !cases_run().empty()
+  const bool passed =
+      cases_pass && !cases_run().empty()
       && std::all_of(tried.begin(), tried.end(), [](const EntryTried& t) { return t.passed; });
   return {passed, json ? json_report(s, passed, tried) : text_report(s, tried)};
 }

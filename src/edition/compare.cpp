@@ -27,12 +27,10 @@ Expectation around(const Fifty& y, const Fifty& radius, std::string tolerance, c
 
 }  // namespace
 
-Expectation::Expectation(Fifty expected, Fifty lowest, Fifty highest, std::string tolerance, std::string because)
-    : expected_(std::move(expected)),
-      lowest_(std::move(lowest)),
-      highest_(std::move(highest)),
-      tolerance_(std::move(tolerance)),
-      because_(std::move(because))
+Expectation::Expectation(Fifty expected, Fifty lowest, Fifty highest, std::string tolerance,
+                         std::string because)
+    : expected_(std::move(expected)), lowest_(std::move(lowest)), highest_(std::move(highest)),
+      tolerance_(std::move(tolerance)), because_(std::move(because))
 {
 }
 
@@ -49,7 +47,8 @@ std::string Expectation::text() const
 
 Expectation within_ulps(const Fifty& y, double n, const char* because)
 {
-  return around(y, Fifty(n) * Fifty(spacing_at(static_cast<double>(y))), fmt::format("± {:g} ulp", n), because);
+  return around(y, Fifty(n) * Fifty(spacing_at(static_cast<double>(y))), fmt::format("± {:g} ulp", n),
+                because);
 }
 
 Expectation within(const Fifty& y, double eps, const char* because)

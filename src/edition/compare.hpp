@@ -1,5 +1,6 @@
 /// @file
-/// Comparisons that state how close, and why no closer: the only ones that the edition's checks use for real numbers.
+/// Comparisons that state how close, and why no closer: the only ones that the edition's checks use for
+/// real numbers.
 #pragma once
 
 #include <string>
@@ -23,7 +24,8 @@ public:
   /// An interval around `expected`, closed; `tolerance` is how the reader is told of its width.
   Expectation(Fifty expected, Fifty lowest, Fifty highest, std::string tolerance, std::string because);
 
-  /// True when `got` is a number and lies in the interval. Remembers the comparison for the ledger of claims.
+  /// True when `got` is a number and lies in the interval. Remembers the comparison for the ledger of
+  /// claims.
   bool holds(const Fifty& got, int digits) const;
 
   /// The expectation in words: number, tolerance, reason.
@@ -45,12 +47,18 @@ Expectation within(const Fifty& y, double eps, const char* because);
 Expectation within_relative(const Fifty& y, double eps, const char* because);
 /// From `lo` to `hi`, both included.
 Expectation between(const Fifty& lo, const Fifty& hi, const char* because);
-/// Rounds to what is printed: at most half a unit of its last place away. `number` is a decimal with comma or point,
-/// for instance "1,1803"; anything else throws std::invalid_argument.
+/// Rounds to what is printed: at most half a unit of its last place away. `number` is a decimal with
+/// comma or point, for instance "1,1803"; anything else throws std::invalid_argument.
 Expectation printed(const char* number);
 
-inline bool operator==(double got, const Expectation& e) { return e.holds(got, 17); }
-inline bool operator==(const Fifty& got, const Expectation& e) { return e.holds(got, 30); }
+inline bool operator==(double got, const Expectation& e)
+{
+  return e.holds(got, 17);
+}
+inline bool operator==(const Fifty& got, const Expectation& e)
+{
+  return e.holds(got, 30);
+}
 
 /// For doctest's messages.
 doctest::String toString(const Expectation& e);

@@ -37,7 +37,9 @@ ordered_json any_number(const Cell& cell)
 
 const char* type_name(ParameterEntry::Type type)
 {
-  return type == ParameterEntry::Type::angle ? "angle" : type == ParameterEntry::Type::real ? "real" : "integer";
+  return type == ParameterEntry::Type::angle  ? "angle"
+         : type == ParameterEntry::Type::real ? "real"
+                                              : "integer";
 }
 
 ordered_json entries(const Section& s, Kind kind)
@@ -57,7 +59,8 @@ ordered_json columns_of(const Table& t)
 {
   auto list = ordered_json::array();
   for(const Column& c : t.columns)
-    list.push_back({{"name", c.name}, {"heading", c.heading}, {"unit", c.unit.symbol}, {"digits", c.digits}});
+    list.push_back(
+        {{"name", c.name}, {"heading", c.heading}, {"unit", c.unit.symbol}, {"digits", c.digits}});
   return list;
 }
 
@@ -66,8 +69,10 @@ ordered_json methods_of(const ToldRace& r)
   auto list = ordered_json::array();
   for(const ToldMethod& m : r.methods)
   {
-    ordered_json method{
-        {"name", m.name}, {"value", number(m.value)}, {"ulps", number(m.ulps)}, {"relative", number(m.relative)}};
+    ordered_json method{{"name", m.name},
+                        {"value", number(m.value)},
+                        {"ulps", number(m.ulps)},
+                        {"relative", number(m.relative)}};
     if(!m.family.empty())
       method["family"] = m.family;
     if(!std::isnan(m.seconds))
@@ -106,7 +111,7 @@ std::string tsv(const Table& t)
     {
       const auto* x = std::get_if<double>(&row[i]);
       const auto* n = std::get_if<long long>(&row[i]);
-      out += x ? fmt::format("{:.17g}", *x) : n ? fmt::format("{}", *n) : std::get<std::string>(row[i]);
+      out += x ? show(*x, 17) : n ? fmt::format("{}", *n) : std::get<std::string>(row[i]);
       out += i + 1 == row.size() ? '\n' : '\t';
     }
   return out;
@@ -129,7 +134,8 @@ std::string as_json(const Section& s)
                                {"meaning", p.meaning}});
   for(const ToldValue& v : s.values)
   {
-    ordered_json value{{"name", v.name}, {"value", any_number(v.number)}, {"unit", v.unit.symbol}, {"meaning", v.meaning}};
+    ordered_json value{
+        {"name", v.name}, {"value", any_number(v.number)}, {"unit", v.unit.symbol}, {"meaning", v.meaning}};
     if(!v.digits.empty())
       value["text"] = v.digits;
     j["values"].push_back(std::move(value));
@@ -143,7 +149,8 @@ std::string as_json(const Section& s)
       for(const Cell& cell : row)
         rows.back().push_back(any_number(cell));
     }
-    j["tables"].push_back({{"name", t->name}, {"caption", t->caption}, {"columns", columns_of(*t)}, {"rows", rows}});
+    j["tables"].push_back(
+        {{"name", t->name}, {"caption", t->caption}, {"columns", columns_of(*t)}, {"rows", rows}});
   }
   for(const ToldCurve& c : s.curves)
     j["curves"].push_back({{"name", c.name}, {"columns", c.columns}});
@@ -164,7 +171,8 @@ std::string write_data(const Section& s, const std::string& folder)
   if(failed)
     throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder, failed.message()));
   std::string written;
-  const auto write = [&](const std::string& name, const std::vector<std::string>& columns, const std::string& lines) {
+  const auto write = [&](const std::string& name, const std::vector<std::string>& columns,
+                         const std::string& lines) {
     const auto path = std::filesystem::path(folder) / fmt::format("{}.{}.tsv", s.program(), name);
     write_whole(path, fmt::format("{}\n{}", fmt::join(columns, "\t"), lines));
     written += path.string() + '\n';

@@ -28,7 +28,8 @@ struct Request
 
 std::string option_help(const ParameterEntry& p)
 {
-  return fmt::format("{} (default {}; {})", p.meaning, with_unit(show(p.default_shown, 12), p.unit), allowed(p));
+  return fmt::format("{} (default {}; {})", p.meaning, with_unit(show(p.default_shown, 12), p.unit),
+                     allowed(p));
 }
 
 /// What may follow an option on the command line.
@@ -50,7 +51,9 @@ Request parse(Section& s, std::vector<std::string> arguments)
   }
   CLI::App app{fmt::format("{} §{}. {}", s.chapter, s.number, s.title), s.program()};
   app.set_help_flag("--help", "say this and end");
-  app.set_version_flag("--version", fmt::format("{} (Euler on Oscillation {})", s.program(), EDITION_VERSION), "say which edition this is and end");
+  app.set_version_flag("--version",
+                       fmt::format("{} (Euler on Oscillation {})", s.program(), EDITION_VERSION),
+                       "say which edition this is and end");
   for(const ParameterEntry& p : s.parameters)
     app.add_option("--" + p.name, r.given[p.name], option_help(p))
         ->type_name(p.type == ParameterEntry::Type::integer ? "WHOLE NUMBER" : "NUMBER")
@@ -58,7 +61,8 @@ Request parse(Section& s, std::vector<std::string> arguments)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
   app.add_flag("--json", r.json, "tell it, or the checks, or the races, to machines");
-  app.add_flag("--check", r.check, "run the checks; what follows -- goes to doctest; exit status 1 when one fails");
+  app.add_flag("--check", r.check,
+               "run the checks; what follows -- goes to doctest; exit status 1 when one fails");
   app.add_flag("--bench", r.bench, "time the several ways to one number against each other");
   app.add_option("--data", r.data, "write the figures' data into this folder")->type_name("DIR");
   app.allow_extras();
@@ -146,7 +150,9 @@ int main(int argc, char** argv)
 {
   gsl_set_error_handler_off();  // GSL's own handler ends the program; its functions' status and NaN say enough
   Section& s = section();
-  const auto complain = [&s](const std::exception& e) { fmt::print(stderr, "{}: {}\n", s.program(), e.what()); };
+  const auto complain = [&s](const std::exception& e) {
+    fmt::print(stderr, "{}: {}\n", s.program(), e.what());
+  };
   try
   {
     return answer(s, {argv + 1, argv + argc});

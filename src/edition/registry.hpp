@@ -22,7 +22,12 @@ struct BadInput : std::runtime_error
 /// A parameter as declared, and its value in this run.
 struct ParameterEntry
 {
-  enum class Type { real, integer, angle };
+  enum class Type
+  {
+    real,
+    integer,
+    angle
+  };
 
   std::string name;
   Type type;
@@ -30,10 +35,10 @@ struct ParameterEntry
   Range range;           ///< In the program's unit.
   double default_shown;  ///< In `unit`.
   std::string meaning;
-  double value;          ///< In the program's unit: radians for an angle.
-  double shown;          ///< In `unit`.
-  bool shown_is_exact;   ///< True where `shown` is the number and `value` its rounding.
-  std::string given;     ///< What the reader wrote; empty if nothing.
+  double value;         ///< In the program's unit: radians for an angle.
+  double shown;         ///< In `unit`.
+  bool shown_is_exact;  ///< True where `shown` is the number and `value` its rounding.
+  std::string given;    ///< What the reader wrote; empty if nothing.
 };
 
 /// A value as told. `number` is in `unit`.
@@ -128,8 +133,8 @@ std::string as_text(const Section& s);
 std::string as_json(const Section& s);
 /// The races alone, as a person reads them.
 std::string races_as_text(const Section& s);
-/// Writes tables and curves as TSV files into `folder`, each complete or not at all; returns their paths one a line.
-/// Throws std::runtime_error when it cannot.
+/// Writes tables and curves as TSV files into `folder`, each complete or not at all; returns their
+/// paths one a line. Throws std::runtime_error when it cannot.
 std::string write_data(const Section& s, const std::string& folder);
 
 /// Runs the checks, with arguments for doctest, and says what came of them as text or JSON.

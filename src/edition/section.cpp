@@ -102,20 +102,44 @@ Parameter<int>::operator int() const
 
 Parameter<double> real(const char* name, double default_value, Unit unit, Range range, const char* meaning)
 {
-  return Parameter<double>(declare(
-      {name, ParameterEntry::Type::real, unit, range, in_unit(default_value, unit), meaning, 0, 0, true, {}}));
+  return Parameter<double>(declare({name,
+                                    ParameterEntry::Type::real,
+                                    unit,
+                                    range,
+                                    in_unit(default_value, unit),
+                                    meaning,
+                                    0,
+                                    0,
+                                    true,
+                                    {}}));
 }
 
 Parameter<int> integer(const char* name, int default_value, int lo, int hi, const char* meaning)
 {
-  return Parameter<int>(declare(
-      {name, ParameterEntry::Type::integer, none, closed(lo, hi), static_cast<double>(default_value), meaning, 0, 0, true, {}}));
+  return Parameter<int>(declare({name,
+                                 ParameterEntry::Type::integer,
+                                 none,
+                                 closed(lo, hi),
+                                 static_cast<double>(default_value),
+                                 meaning,
+                                 0,
+                                 0,
+                                 true,
+                                 {}}));
 }
 
 Parameter<double> angle(const char* name, double default_value, Range range, const char* meaning)
 {
-  return Parameter<double>(declare(
-      {name, ParameterEntry::Type::angle, degrees, range, tidy_degrees(default_value), meaning, 0, 0, true, {}}));
+  return Parameter<double>(declare({name,
+                                    ParameterEntry::Type::angle,
+                                    degrees,
+                                    range,
+                                    tidy_degrees(default_value),
+                                    meaning,
+                                    0,
+                                    0,
+                                    true,
+                                    {}}));
 }
 
 AmplitudeParameter amplitude(double default_zeta, Range range)
@@ -123,8 +147,10 @@ AmplitudeParameter amplitude(double default_zeta, Range range)
   const double half_turn = std::numbers::pi;
   const Range from_top{half_turn - range.hi, half_turn - range.lo, range.hi_open, range.lo_open};
   section().has_amplitude = true;
-  const auto zeta = angle("zeta", default_zeta, range, "amplitude, from the lowest point to the turning point");
-  const auto eta = angle("eta", half_turn - default_zeta, from_top, "the same from the top: eta = 180° - zeta");
+  const auto zeta =
+      angle("zeta", default_zeta, range, "amplitude, from the lowest point to the turning point");
+  const auto eta =
+      angle("eta", half_turn - default_zeta, from_top, "the same from the top: eta = 180° - zeta");
   auto& p = section().parameters;
   p.back().default_shown = 180 - p[p.size() - 2].default_shown;
   p.back().shown = p.back().default_shown;
@@ -150,7 +176,8 @@ void reconcile_amplitude(Section& s)
   if(!s.has_amplitude)
     return;
   const auto named = [&s](const char* name) -> ParameterEntry& {
-    return *std::find_if(s.parameters.begin(), s.parameters.end(), [=](const auto& p) { return p.name == name; });
+    return *std::find_if(s.parameters.begin(), s.parameters.end(),
+                         [=](const auto& p) { return p.name == name; });
   };
   ParameterEntry& zeta = named("zeta");
   ParameterEntry& eta = named("eta");
@@ -163,8 +190,9 @@ void reconcile_amplitude(Section& s)
   if(!zeta.given.empty() && !eta.given.empty())
   {
     if(std::abs(zeta.shown + eta.shown - 180) > 1e-13 * 180)
-      throw BadInput(fmt::format("--eta: \"{}\" contradicts --zeta \"{}\"; allowed: one of them, or eta = 180° - zeta",
-                                 eta.given, zeta.given));
+      throw BadInput(
+          fmt::format("--eta: \"{}\" contradicts --zeta \"{}\"; allowed: one of them, or eta = 180° - zeta",
+                      eta.given, zeta.given));
   }
   else if(!zeta.given.empty())
     follow(zeta, eta);
@@ -175,7 +203,8 @@ void reconcile_amplitude(Section& s)
 std::string allowed(const ParameterEntry& p)
 {
   const auto end = [&](double x) {
-    return with_unit(show(p.type == ParameterEntry::Type::angle ? tidy_degrees(x) : in_unit(x, p.unit), 12), p.unit);
+    return with_unit(show(p.type == ParameterEntry::Type::angle ? tidy_degrees(x) : in_unit(x, p.unit), 12),
+                     p.unit);
   };
   const Range& r = p.range;
   if(p.type == ParameterEntry::Type::integer)
@@ -184,7 +213,8 @@ std::string allowed(const ParameterEntry& p)
     return "any finite number";
   if(std::isinf(r.hi))
     return fmt::format("{} {} {}", p.name, r.lo_open ? ">" : "≥", end(r.lo));
-  return fmt::format("{} {} {} {} {}", end(r.lo), r.lo_open ? "<" : "≤", p.name, r.hi_open ? "<" : "≤", end(r.hi));
+  return fmt::format("{} {} {} {} {}", end(r.lo), r.lo_open ? "<" : "≤", p.name, r.hi_open ? "<" : "≤",
+                     end(r.hi));
 }
 
 void set_parameter(ParameterEntry& p, const std::string& text)
@@ -231,9 +261,9 @@ void require(bool possible, const char* parameter, const char* allowed_in_words)
     return;
   for(const ParameterEntry& p : section().parameters)
     if(p.name == parameter)
-      throw BadInput(fmt::format("--{}: {} is not possible here; allowed: {}", p.name,
-                                 p.given.empty() ? with_unit(show(p.shown, 12), p.unit) : '"' + p.given + '"',
-                                 allowed_in_words));
+      throw BadInput(fmt::format(
+          "--{}: {} is not possible here; allowed: {}", p.name,
+          p.given.empty() ? with_unit(show(p.shown, 12), p.unit) : '"' + p.given + '"', allowed_in_words));
   throw std::logic_error(fmt::format("require() names \"{}\", which is no parameter", parameter));
 }
 
@@ -275,7 +305,8 @@ Table::Table(std::string its_name, std::string its_caption, std::vector<Column> 
 void Table::row(std::vector<Cell> cells)
 {
   if(cells.size() != columns.size())
-    throw std::logic_error(fmt::format("table {}: {} cells for {} columns", name, cells.size(), columns.size()));
+    throw std::logic_error(
+        fmt::format("table {}: {} cells for {} columns", name, cells.size(), columns.size()));
   for(std::size_t i = 0; i < cells.size(); ++i)
     if(auto* x = std::get_if<double>(&cells[i]))
       *x = in_unit(*x, columns[i].unit);
@@ -290,16 +321,22 @@ Table& table(const char* name, const char* caption, std::vector<Column> columns)
 
 void Curve::put(const std::vector<double>& numbers)
 {
-  if(numbers.size() != columns_)
-    throw std::logic_error(fmt::format("a curve of {} columns got a point of {}", columns_, numbers.size()));
+  if(numbers.size() != columns_.size())
+    throw std::logic_error(
+        fmt::format("a curve of {} columns got a point of {}", columns_.size(), numbers.size()));
   for(std::size_t i = 0; i < numbers.size(); ++i)
-    text_ += fmt::format("{}{:.17g}", i == 0 ? "" : "\t", numbers[i]);
+    text_ += (i == 0 ? "" : "\t") + show(numbers[i], 17);
   text_ += '\n';
+}
+
+void Curve::block()
+{
+  text_ += fmt::format("\n\n{}\n", fmt::join(columns_, "\t"));
 }
 
 void curve(const char* name, std::vector<std::string> columns, std::function<void(Curve&)> draw)
 {
-  Curve under_way(columns.size());
+  Curve under_way(columns);
   if(section().wanted.data)
     draw(under_way);
   section().curves.push_back({name, std::move(columns), under_way.text()});
@@ -355,7 +392,7 @@ std::string with_unit(std::string number, const Unit& unit)
 
 std::string show(double x, int digits)
 {
-  return fmt::format("{:.{}g}", x, digits);
+  return std::isnan(x) ? "nan" : fmt::format("{:.{}g}", x, digits);  // a NaN's sign says nothing
 }
 
 }  // namespace edition

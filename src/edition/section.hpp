@@ -1,7 +1,8 @@
 /// @file
-/// The teller: with this a section declares, once, who it is, what the reader may change, what it says, what Euler or
-/// the scan has wrong, and what is checked. The command line, the text, the JSON, the figures' data, the tests and the
-/// page all follow from that. How a section is written stands in `book/authoring.md`.
+/// The teller: with this a section declares, once, who it is, what the reader may change, what it says,
+/// what Euler or the scan has wrong, and what is checked. The command line, the text, the JSON, the
+/// figures' data, the tests and the page all follow from that. How a section is written stands in
+/// `book/authoring.md`.
 #pragma once
 
 #include <cmath>
@@ -24,13 +25,23 @@ namespace edition
 {
 
 /// Degrees as they are written, radians as they are computed with; correctly rounded.
-constexpr double operator""_deg(long double x) { return static_cast<double>(x * std::numbers::pi_v<long double> / 180); }
+constexpr double operator""_deg(long double x)
+{
+  return static_cast<double>(x * std::numbers::pi_v<long double> / 180);
+}
 /// Whole degrees.
-constexpr double operator""_deg(unsigned long long x) { return operator""_deg(static_cast<long double>(x)); }
+constexpr double operator""_deg(unsigned long long x)
+{
+  return operator""_deg(static_cast<long double>(x));
+}
 /// Radians, to say so.
-constexpr double operator""_rad(long double x) { return static_cast<double>(x); }
+constexpr double operator""_rad(long double x)
+{
+  return static_cast<double>(x);
+}
 
-/// A unit: what is written behind a number, and by what the program's number is multiplied to be in that unit.
+/// A unit: what is written behind a number, and by what the program's number is multiplied to be in
+/// that unit.
 struct Unit
 {
   const char* symbol = "";
@@ -59,12 +70,24 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr Range any{-infinity, infinity, true, true};
 inline constexpr Range positive{0, infinity, true, true};
 inline constexpr Range nonnegative{0, infinity, false, true};
-constexpr Range closed(double lo, double hi) { return {lo, hi, false, false}; }
-constexpr Range open(double lo, double hi) { return {lo, hi, true, true}; }
+constexpr Range closed(double lo, double hi)
+{
+  return {lo, hi, false, false};
+}
+constexpr Range open(double lo, double hi)
+{
+  return {lo, hi, true, true};
+}
 /// lo < x ≤ hi
-constexpr Range above_to(double lo, double hi) { return {lo, hi, true, false}; }
+constexpr Range above_to(double lo, double hi)
+{
+  return {lo, hi, true, false};
+}
 /// lo ≤ x < hi
-constexpr Range from_below(double lo, double hi) { return {lo, hi, false, true}; }
+constexpr Range from_below(double lo, double hi)
+{
+  return {lo, hi, false, true};
+}
 
 /// A quantity that Euler leaves free: an option of the program, a number in its code.
 template <class Number>
@@ -94,23 +117,31 @@ struct AmplitudeParameter
   Parameter<double> zeta;
   Parameter<double> eta;
 };
-/// Declares `--zeta` and `--eta`. Whichever the reader gives is carried as given and the other is formed in degrees
-/// before it is rounded to radians; both together must agree. `range` is that of ζ, within [0°, 180°].
+/// Declares `--zeta` and `--eta`. Whichever the reader gives is carried as given and the other is
+/// formed in degrees before it is rounded to radians; both together must agree. `range` is that of ζ,
+/// within [0°, 180°].
 AmplitudeParameter amplitude(double default_zeta, Range range = open(0, std::numbers::pi));
 /// The same with the default given as η.
 AmplitudeParameter amplitude_from_top(double default_eta, Range range = open(0, std::numbers::pi));
 
-/// Refuses a combination of parameters that no scene has: one line on standard error names `parameter`, its value and
-/// what is `allowed`; the program ends with exit status 2.
+/// Refuses a combination of parameters that no scene has: one line on standard error names `parameter`,
+/// its value and what is `allowed`; the program ends with exit status 2.
 void require(bool possible, const char* parameter, const char* allowed);
 
-/// Tells a value: a real number in `unit` (the number itself is in the program's unit), an integer, a text, or fifty digits.
+/// Tells a value: a real number in `unit` (the number itself is in the program's unit), an integer, a
+/// text, or fifty digits.
 void tell(const char* name, double value, Unit unit, const char* meaning);
-inline void tell(const char* name, double value, const char* meaning) { tell(name, value, none, meaning); }
+inline void tell(const char* name, double value, const char* meaning)
+{
+  tell(name, value, none, meaning);
+}
 void tell(const char* name, int value, const char* meaning);
 void tell(const char* name, long long value, const char* meaning);
 void tell(const char* name, const std::string& value, const char* meaning);
-inline void tell(const char* name, const char* value, const char* meaning) { tell(name, std::string(value), meaning); }
+inline void tell(const char* name, const char* value, const char* meaning)
+{
+  tell(name, std::string(value), meaning);
+}
 void tell(const char* name, const Fifty& value, const char* meaning);
 void tell(const char* name, const Rational& value, const char* meaning);
 
@@ -131,7 +162,8 @@ class Table
 {
 public:
   Table(std::string name, std::string caption, std::vector<Column> columns);
-  /// Adds a row, one cell a column (in the program's unit); another number of cells throws std::logic_error.
+  /// Adds a row, one cell a column (in the program's unit); another number of cells throws
+  /// std::logic_error.
   void row(std::initializer_list<Cell> cells) { row(std::vector<Cell>(cells)); }
   void row(std::vector<Cell> cells);
 
@@ -148,27 +180,30 @@ Table& table(const char* name, const char* caption, std::vector<Column> columns)
 class Curve
 {
 public:
-  explicit Curve(std::size_t columns) : columns_(columns) {}
-  /// Adds a point, one number a column, written with 17 digits; another number of them throws std::logic_error.
+  explicit Curve(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+  /// Adds a point, one number a column, written with 17 digits; another number of them throws
+  /// std::logic_error.
   void put(std::initializer_list<double> numbers) { put(std::vector<double>(numbers)); }
   void put(const std::vector<double>& numbers);
   /// Breaks the line here: what follows is drawn as a line of its own.
   void gap() { text_ += '\n'; }
-  /// Begins a new block (gnuplot's `index`), for several lines in one file.
-  void block() { text_ += "\n\n"; }
+  /// Begins a new block (gnuplot's `index`), for several lines in one file; it has its own header, as
+  /// gnuplot expects.
+  void block();
 
-  /// The lines so far, tab separated.
+  /// The lines so far, tab separated, without the first header.
   const std::string& text() const { return text_; }
 
 private:
-  std::size_t columns_;
+  std::vector<std::string> columns_;
   std::string text_;
 };
 
 /// Declares data for a figure; `draw` is called, at once, only when data are asked for.
 void curve(const char* name, std::vector<std::string> columns, std::function<void(Curve&)> draw);
 
-/// One way to a number. Methods of one `family` (a series with more and more terms, say) are joined by a line in the plot.
+/// One way to a number. Methods of one `family` (a series with more and more terms, say) are joined by
+/// a line in the plot.
 struct Method
 {
   std::string name;
@@ -176,21 +211,21 @@ struct Method
   std::string family = {};
 };
 
-/// Sets several ways to one number side by side: the error of each in ulps of the 50-digit value `exact`, and with
-/// `--bench` its time. `exact` must be finite and not zero.
+/// Sets several ways to one number side by side: the error of each in ulps of the 50-digit value
+/// `exact`, and with `--bench` its time. `exact` must be finite and not zero.
 void race(const char* name, const char* quantity, const Fifty& exact, std::vector<Method> methods);
 
 /// What stands in a text at some place, and the number that comes of it when it is taken at its word.
 struct Reading
 {
   template <class Yield>
-    requires std::is_arithmetic_v<Yield>
-  Reading(const char* words, Yield value) : text(words), yields([value] { return static_cast<double>(value); })
+  requires std::is_arithmetic_v<Yield> Reading(const char* words, Yield value)
+      : text(words), yields([value] { return static_cast<double>(value); })
   {
   }
   template <class Yield>
-    requires std::is_invocable_r_v<double, Yield>
-  Reading(const char* words, Yield compute) : text(words), yields(compute)
+  requires std::is_invocable_r_v<double, Yield> Reading(const char* words, Yield compute)
+      : text(words), yields(compute)
   {
   }
 
@@ -207,9 +242,10 @@ enum class Kind
   undecided    ///< Which of two readings is meant cannot be told.
 };
 
-/// An entry of the apparatus: a place, what is printed there, what is right, and the proof, a function of the number that a
-/// reading yields. The proof must fail with what is printed and hold with what is right; for an undecided reading it must not
-/// tell the two apart. The programs' checks try every entry both ways.
+/// An entry of the apparatus: a place, what is printed there, what is right, and the proof, a function
+/// of the number that a reading yields. The proof must fail with what is printed and hold with what is
+/// right; for an undecided reading it must not tell the two apart. The programs' checks try every entry
+/// both ways.
 struct Entry
 {
   Kind kind;
@@ -227,7 +263,8 @@ void enter(Entry entry);
 template <Kind kind_of_entry>
 struct EntryOf
 {
-  EntryOf(const char* where, Reading printed, Reading right, const char* because, std::function<bool(double)> holds)
+  EntryOf(const char* where, Reading printed, Reading right, const char* because,
+          std::function<bool(double)> holds)
   {
     enter({kind_of_entry, where, std::move(printed), std::move(right), because, std::move(holds)});
   }
@@ -252,15 +289,17 @@ struct Telling
 }  // namespace edition
 
 /// Names the section that this file is.
-#define SECTION(chapter, number, title) static const edition::Identity edition_identity{#chapter, number, title};
+#define SECTION(chapter, number, title)                                                                    \
+  static const edition::Identity edition_identity{#chapter, number, title};
 
-/// Opens a block in which the section says something. A section may have several, one idea each; they are told in their order.
+/// Opens a block in which the section says something. A section may have several, one idea each; they
+/// are told in their order.
 #define TELL EDITION_TELL(__COUNTER__)
 #define EDITION_TELL(count) EDITION_TELL_COUNTED(count)
 #define EDITION_TELL_COUNTED(count) EDITION_TELL_NAMED(edition_tell_##count, edition_telling_##count)
-#define EDITION_TELL_NAMED(body, registration)     \
-  static void body();                              \
-  static const edition::Telling registration{&body}; \
+#define EDITION_TELL_NAMED(body, registration)                                                             \
+  static void body();                                                                                      \
+  static const edition::Telling registration{&body};                                                       \
   static void body()
 
 /// Opens a check: a doctest case whose name is a statement.

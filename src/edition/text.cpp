@@ -18,8 +18,8 @@ constexpr std::size_t line_width = 88;
 /// The characters of a UTF-8 text, so that columns with Greek letters line up.
 std::size_t width(const std::string& text)
 {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string pad_right(const std::string& text, std::size_t to)
@@ -39,7 +39,8 @@ std::string capitalised(std::string word)
   return word;
 }
 
-/// `text` in lines of at most line_width, the first after `used` characters, the others indented by `indent`.
+/// `text` in lines of at most line_width, the first after `used` characters, the others indented by
+/// `indent`.
 std::string wrapped(const std::string& text, std::size_t used, std::size_t indent)
 {
   std::string out;
@@ -113,8 +114,8 @@ std::string shown(const Cell& cell, int digits)
 }
 
 /// Rows of cells under headings: numbers to the right, words to the left.
-std::string grid(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& cells,
-                 const std::vector<bool>& words)
+std::string grid(const std::vector<std::string>& headings,
+                 const std::vector<std::vector<std::string>>& cells, const std::vector<bool>& words)
 {
   std::vector<std::size_t> widths;
   for(std::size_t i = 0; i < headings.size(); ++i)
@@ -216,9 +217,10 @@ std::string as_text(const Section& s)
       out += '\n';
     const std::string head = fmt::format("  {}: {}: ", name_of(e.kind), e.where);
     const bool open = e.kind == Kind::undecided;
-    out += head + wrapped(fmt::format("{} {}, {} {}: {}", open ? "either" : "printed", e.printed.text,
-                                      open ? "or" : "right", e.right.text, e.because),
-                          width(head), 4);
+    out += head
+           + wrapped(fmt::format("{} {}, {} {}: {}", open ? "either" : "printed", e.printed.text,
+                                 open ? "or" : "right", e.right.text, e.because),
+                     width(head), 4);
   }
   return out;
 }

@@ -1,5 +1,6 @@
 /// @file
-/// A reckoning on paper, line by line: what is printed, what a calculator with a table finds, and what is true.
+/// A reckoning on paper, line by line: what is printed, what a calculator with a table finds, and what
+/// is true.
 #pragma once
 
 #include <string>
@@ -20,12 +21,16 @@ struct Line
   exact::Fifty truth;    ///< as it should be
 };
 
-/// Tells the lines as the table `name`; the printed numbers and their verdicts are left out unless the parameters are `his` own.
+/// Tells the lines as the table `name`; the printed numbers and their verdicts are left out unless the
+/// parameters are `his` own.
 inline void tell_lines(const char* name, const char* caption, const std::vector<Line>& lines, bool his)
 {
   auto& rows = edition::table(name, caption,
-                              {{"what", "what"}, {"printed", "printed"}, {"reckoned", "reckoned"},
-                               {"true", "true", edition::none, 10}, {"verdict", "what is printed is"}});
+                              {{"what", "what"},
+                               {"printed", "printed"},
+                               {"reckoned", "reckoned"},
+                               {"true", "true", edition::none, 10},
+                               {"verdict", "what is printed is"}});
   for(const Line& l : lines)
     rows.row({l.what, his ? l.printed : "", l.reckoned, static_cast<double>(l.truth),
               his ? verdict(l.printed, l.reckoned, l.truth) : ""});

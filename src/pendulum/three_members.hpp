@@ -10,7 +10,8 @@ namespace pendulum
 {
 
 // [three_members]
-/// The three members of Euler's formula for the quarter motion t√(2g)/√b, the angle α = ½η being small (§29).
+/// The three members of Euler's formula for the quarter motion t√(2g)/√b, the angle α = ½η being small
+/// (§29).
 template <class Real>
 struct Members
 {
@@ -22,8 +23,9 @@ struct Members
   Real sum() const { return first + second + third; }
 };
 
-/// Domain: 0 < α ≤ π/2, radians; `terms` of the factor's series are kept. The sum falls short of K(cos α) by less than
-/// 0.437 sin⁴α / cos α, if the factor is complete. Nothing cancels: in double each member is good to a few ulp, however small α.
+/// Domain: 0 < α ≤ π/2, radians; `terms` of the factor's series are kept. The sum falls short of K(cos
+/// α) by less than 0.437 sin⁴α / cos α, if the factor is complete. Nothing cancels: in double each
+/// member is good to a few ulp, however small α.
 template <class Real>
 Members<Real> three_members(Real alpha, int terms)
 {
