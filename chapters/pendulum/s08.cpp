@@ -166,7 +166,8 @@ and the number of terms.
 
 const auto swing_ = amplitude(90_deg);
 const auto b = real("b", 1.0, metres, positive, "length of the equivalent simple pendulum");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
+const auto g =
+    real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
 const auto N = integer("N", 10, 1, 2000, "terms of the series that are kept");
 
 TELL
@@ -269,7 +270,8 @@ CHECK_THAT("the integral of the element from 0 to 1 is ½π over the arithmetic-
     const Fifty K = exact::pi() / 2 * ratio_by_mean(exact::pi() - zeta);
     CHECK(integral.value == within(K, 1e-36, "the rule's estimate, 1e-40, with room"));
     const double at_half = static_cast<double>(1 / sqrt(Fifty(0.75) * (1 - c * c / 4)));
-    CHECK(element(0.5, std::sin(zeta / 2)) == within_ulps(at_half, 4, "seven roundings, halved by the root"));
+    CHECK(element(0.5, std::sin(zeta / 2))
+          == within_ulps(at_half, 4, "seven roundings, halved by the root"));
     const double summed = element_by_series(0.5, std::sin(zeta / 2), 40);
     CHECK(summed == within_ulps(at_half, 8, "forty terms, the n-th below 4⁻ⁿ"));
   }
@@ -279,7 +281,8 @@ CHECK_THAT("the integral of the element from 0 to 1 is ½π over the arithmetic-
 Its factors: the coefficients of {{eq 2}} are binomial, exactly, and the ladder agrees with the integrals.
 */
 
-CHECK_THAT("the root's coefficients are those of the binomial series, and the same as the ladder's fractions")
+CHECK_THAT(
+    "the root's coefficients are those of the binomial series, and the same as the ladder's fractions")
 {
   for(int n = 0; n <= 40; ++n)
   {
@@ -303,8 +306,9 @@ Fifty integral_of_power(int power)
 CHECK_THAT("the ladder gives the integrals of the even powers")
 {
   for(int power = 0; power <= 14; power += 2)
-    CHECK(integral_of_power(power)
-          == within(Fifty(ladder(power)) * exact::pi() / 2, 1e-36, "the rule's estimate, 1e-40, with room"));
+    CHECK(
+        integral_of_power(power)
+        == within(Fifty(ladder(power)) * exact::pi() / 2, 1e-36, "the rule's estimate, 1e-40, with room"));
 }
 
 CHECK_THAT("the series is the time, from the smallest swing to nine tenths of the way up")
@@ -366,21 +370,28 @@ double misread(double c, double y)
 }
 
 const Emendation binomial_powers{
-    "§8, the series of the root, twice", {"c²y², c³y³, c⁴y⁴", [] { return misread(0.5, 0.8); }},
-    {"c⁴y⁴, c⁶y⁶, c⁸y⁸", [] { return root(0.16, 5); }}, "the series must give the root from which it comes",
+    "§8, the series of the root, twice",
+    {"c²y², c³y³, c⁴y⁴", [] { return misread(0.5, 0.8); }},
+    {"c⁴y⁴, c⁶y⁶, c⁸y⁸", [] { return root(0.16, 5); }},
+    "the series must give the root from which it comes",
     [](double reading) {
       return reading == within(1 / std::sqrt(1 - 0.16), 3.1e-5, "left out: less than 63/256·0,16⁵/0,84");
     }};
 
 const Emendation integral_sign{
-    "§8, the first integral", {"dy/√(1−y²) = ½π", [] { return 1 / std::sqrt(1 - 0.5 * 0.5); }},
+    "§8, the first integral",
+    {"dy/√(1−y²) = ½π", [] { return 1 / std::sqrt(1 - 0.5 * 0.5); }},
     {"∫ dy/√(1−y²) = ½π", [] { return std::asin(1.0); }},
-    "without the sign it is a function of y, here taken at y = ½; the integral from 0 to 1 is a right angle",
+    "without the sign it is a function of y, here taken at y = ½; the integral from 0 to 1 is a right "
+    "angle",
     [](double reading) { return reading == within_ulps(exact::pi() / 2, 1, "one arc sine"); }};
 
 const Emendation ladder_factor{
-    "§8, the factor of the reduction", {"π/(n+1)", std::numbers::pi / 2}, {"n/(n+1)", 1.0 / 2},
-    "for n = 1 it must lead from ∫dy/√(1−yy) to ∫yy dy/√(1−yy)", [](double reading) {
+    "§8, the factor of the reduction",
+    {"π/(n+1)", std::numbers::pi / 2},
+    {"n/(n+1)", 1.0 / 2},
+    "for n = 1 it must lead from ∫dy/√(1−yy) to ∫yy dy/√(1−yy)",
+    [](double reading) {
       return reading == within(integral_of_power(2) / integral_of_power(0), 1e-15, "one rounding");
     }};
 
@@ -393,7 +404,8 @@ double four_integrals(int first)  // of the powers first, first+2, first+4, firs
 }
 
 const Emendation powers{
-    "§8, the four integrals", {"y dy, y³dy, y⁵dy, y⁷dy", [] { return four_integrals(1); }},
+    "§8, the four integrals",
+    {"y dy, y³dy, y⁵dy, y⁷dy", [] { return four_integrals(1); }},
     {"yy dy, y⁴dy, y⁶dy, y⁸dy", [] { return four_integrals(2); }},
     "the values printed beside them, ½·½π and so on, belong to the even powers; the proof adds all four",
     [](double reading) {
@@ -402,8 +414,11 @@ const Emendation powers{
     }};
 
 const Emendation first_coefficient{
-    "§8, the coefficient of cc", {"½", 1.0 / 2}, {"1²/2²", 1.0 / 4},
-    "it is what T/Θ − 1 is to cc in a very small swing, and §§10, 11 and 37 have it", [](double reading) {
+    "§8, the coefficient of cc",
+    {"½", 1.0 / 2},
+    {"1²/2²", 1.0 / 4},
+    "it is what T/Θ − 1 is to cc in a very small swing, and §§10, 11 and 37 have it",
+    [](double reading) {
       const Fifty c = Fifty(1e-6);
       return reading == within((ratio_by_mean(2 * acos(c)) - 1) / (c * c), 1e-12, "the next term, 9/64 cc");
     }};

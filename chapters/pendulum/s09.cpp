@@ -98,10 +98,9 @@ difference one too small.
 TELL
 {
   const auto by_logarithms = [](double places) { return std::pow(10, places); };
-  auto& rows = table("candidates", "Ways to the length of the seconds pendulum; printed is 3,16621",
-                     {{"way", "way"},
-                      {"b", "b", feet, 6},
-                      {"off", "off the printed", Unit{"10⁻⁵ ft", 1e5L}, 3}});
+  auto& rows =
+      table("candidates", "Ways to the length of the seconds pendulum; printed is 3,16621",
+            {{"way", "way"}, {"b", "b", feet, 6}, {"off", "off the printed", Unit{"10⁻⁵ ft", 1e5L}, 3}});
   const auto row = [&](const char* way, double length) { rows.row({way, length, length - 3.16621}); };
   row("2g = 31", seconds_length(15.5));
   row("2g = 31¼", seconds_length(15.625));
@@ -127,8 +126,8 @@ TELL
 
 /*!
 The reading of $g$ is certain: with 31 feet the length would be {{with_31|5}}. The last digits are another
-matter. What {{eq 3}} gives is {{seconds_length|6}} feet, no stand-in for $\pi$ leads to 3,16621, and for his
-$\pi$ to be right $g$ would have to be {{needed|7}}. One way does, to the last digit: a difference of
+matter. What {{eq 3}} gives is {{seconds_length|6}} feet. No stand-in for $\pi$ leads to 3,16621, and for the
+length to be right $g$ would have to be {{needed|7}}. One way leads there, to the last digit: a difference of
 logarithms that is wrong by one in its fifth place. But a 9 taken for a 1 would do as well. A clock with this
 pendulum would gain {{gained|2}} seconds a day.
 
@@ -190,30 +189,39 @@ bool near_the_printed_length(double length)
   return length == within(3.16621, 0.01, "31 instead of 31¼ makes 0,025 ft");
 }
 
-const Emendation fall{
-    "§9, g", {"15½", [] { return seconds_length(15.5); }}, {"15⅝", [] { return seconds_length(15.625); }},
-    "only then is the seconds pendulum about 3,166 ft", near_the_printed_length};
+const Emendation fall{"§9, g",
+                      {"15½", [] { return seconds_length(15.5); }},
+                      {"15⅝", [] { return seconds_length(15.625); }},
+                      "only then is the seconds pendulum about 3,166 ft",
+                      near_the_printed_length};
 
-const Emendation double_fall{
-    "§9, 2g", {"31", [] { return 31 / std::pow(std::numbers::pi, 2); }},
-    {"31¼", [] { return 31.25 / std::pow(std::numbers::pi, 2); }},
-    "the same, and it is twice 15⅝", near_the_printed_length};
+const Emendation double_fall{"§9, 2g",
+                             {"31", [] { return 31 / std::pow(std::numbers::pi, 2); }},
+                             {"31¼", [] { return 31.25 / std::pow(std::numbers::pi, 2); }},
+                             "the same, and it is twice 15⅝",
+                             near_the_printed_length};
 
 const Doubtful length{
-    "§9, the length of the seconds pendulum", {"3,16621", 3.16621}, {"3,16629", 3.16629},
+    "§9, the length of the seconds pendulum",
+    {"3,16621", 3.16621},
+    {"3,16629", 3.16629},
     "31,25/ππ = 3,166287; a 9 misread, or a slip in the last place of a five-place logarithm",
     [](double reading) {
       return Fifty(31.25) / pow(exact::pi(), 2) == within(reading, 0.5e-5, "half of the last place");
     }};
 
-CHECK_THAT("one unit in the fifth place of the logarithm is all that separates 3,16629 from what is printed")
+CHECK_THAT(
+    "one unit in the fifth place of the logarithm is all that separates 3,16629 from what is printed")
 {
   CHECK(std::log10(31.25) - 2 * std::log10(std::numbers::pi) == printed("0,50055"));
   CHECK(std::pow(10, 0.50054) == printed("3,16621"));
 }
 
 const Emendation first_coefficient{
-    "§9, the coefficient of cc", {"½", 1.0 / 2}, {"1²/2²", 1.0 / 4}, "the law of the others; §10 has ¼",
+    "§9, the coefficient of cc",
+    {"½", 1.0 / 2},
+    {"1²/2²", 1.0 / 4},
+    "the law of the others; §10 has ¼",
     [](double reading) {
       const Fifty c = Fifty(1e-6);
       return reading == within((ratio_by_mean(2 * acos(c)) - 1) / (c * c), 1e-12, "the next term, 9/64 cc");

@@ -172,13 +172,13 @@ TELL
   const Figure f = figure(a, k, swing_.zeta);
   curve("points", {"x", "y"}, [=](Curve& c) {
     const double share = a / f.b, half = swing_.zeta / 2;
-    c.put({0, 0});  // A
-    c.put({0, -f.b});  // B
-    c.put({0, -f.AD});  // D
-    c.put({0, (-f.b - f.AD) / 2});  // in the middle of d
-    c.put({f.OD, -f.AD});  // O
-    c.put({f.OD * share, -f.AD * share});  // G
-    c.put({f.OD / 2, -f.AD / 2});  // in the middle of b
+    c.put({0, 0});                                                       // A
+    c.put({0, -f.b});                                                    // B
+    c.put({0, -f.AD});                                                   // D
+    c.put({0, (-f.b - f.AD) / 2});                                       // in the middle of d
+    c.put({f.OD, -f.AD});                                                // O
+    c.put({f.OD * share, -f.AD * share});                                // G
+    c.put({f.OD / 2, -f.AD / 2});                                        // in the middle of b
     c.put({0.22 * f.b * std::sin(half), -0.22 * f.b * std::cos(half)});  // within ζ
   });
   curve("lines", {"x", "y"}, [=](Curve& c) {
@@ -204,10 +204,15 @@ TELL
   const double zeta = swing_.zeta, eta = swing_.eta, cc = std::pow(std::sin(zeta / 2), 2);
   race("excess", "T/Θ − 1", excess_by_mean(Fifty(zeta), Fifty(eta)),
        {{"the rule", [=] { return cc / 4; }},
-        {"the ratio less 1", [=] { return swing::ratio({zeta, eta}) - 1; }},
+        {"the ratio less 1",
+         [=] {
+           return swing::ratio({zeta, eta}) - 1;
+         }},
         {"the series less 1, 12 terms", [=] { return series(cc, 12) - 1; }},
         {"the mean's differences", [=] { return excess_by_mean(zeta, eta); }},
-        {"this edition", [=] { return swing::ratio_excess({zeta, eta}); }}});
+        {"this edition", [=] {
+           return swing::ratio_excess({zeta, eta});
+         }}});
 }
 
 /*!
@@ -306,17 +311,19 @@ The other makes the swings through larger arcs quicker, against the formula that
 slipped cannot be told.
 */
 
-const Doubtful smaller{
-    "§10, the times of swings through larger arcs", {"smaller (minora)", -1}, {"greater (maiora)", 1},
-    "T/Θ grows with every degree from 0° to 179°", [](double sign) {
-      const auto excess = [](int degree) {
-        return swing::ratio_excess(swing::Amplitude::from_zeta(degree * 1_deg));
-      };
-      bool holds = true;
-      for(int degree = 1; degree < 180; ++degree)
-        holds = holds && sign * (excess(degree) - excess(degree - 1)) > 0;
-      return holds;
-    }};
+const Doubtful smaller{"§10, the times of swings through larger arcs",
+                       {"smaller (minora)", -1},
+                       {"greater (maiora)", 1},
+                       "T/Θ grows with every degree from 0° to 179°",
+                       [](double sign) {
+                         const auto excess = [](int degree) {
+                           return swing::ratio_excess(swing::Amplitude::from_zeta(degree * 1_deg));
+                         };
+                         bool holds = true;
+                         for(int degree = 1; degree < 180; ++degree)
+                           holds = holds && sign * (excess(degree) - excess(degree - 1)) > 0;
+                         return holds;
+                       }};
 
 /*!
 ## Notes

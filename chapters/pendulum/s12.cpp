@@ -108,7 +108,8 @@ Free are the amplitude, here best given by what it lacks, the pendulum's length,
 
 const auto swing_ = amplitude_from_top(5_deg);
 const auto b = real("b", 1.0, metres, positive, "length of the equivalent simple pendulum");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
+const auto g =
+    real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
 const auto part = real("part", 1e-5, none, closed(1e-15, 0.1), "part of the whole that may be left out");
 
 TELL
@@ -250,7 +251,8 @@ CHECK_THAT("the counted terms are enough, and one fewer is not")
       const Fifty cc = pow(sin(Fifty(zeta) / 2), 2), whole = ratio_by_mean(exact::pi() - zeta);
       const int n = terms_needed(cc, allowed);
       CHECK(series(cc, n) == within_relative(whole, allowed, "this is the tolerance asked for"));
-      CHECK(series(cc, n - 1) == between(0, whole * (1 - Fifty(allowed)), "or else the count is too large"));
+      CHECK(series(cc, n - 1)
+            == between(0, whole * (1 - Fifty(allowed)), "or else the count is too large"));
     }
 }
 
@@ -279,16 +281,18 @@ has lost all the squares in {{eq 1}}.
 */
 
 const Erratum no_way{
-    "§12, no way to transform the series", {"none: 3791 terms at 175°", 3791}, {"Landen's: 46 terms", 46},
-    "the proof counts the terms that five figures take at 175°", [](double reading) {
-      return reading == terms_needed(pow(tan(exact::pi() * 175 / 720), 4), 1e-5);
-    }};
+    "§12, no way to transform the series",
+    {"none: 3791 terms at 175°", 3791},
+    {"Landen's: 46 terms", 46},
+    "the proof counts the terms that five figures take at 175°",
+    [](double reading) { return reading == terms_needed(pow(tan(exact::pi() * 175 / 720), 4), 1e-5); }};
 
-const Emendation squares{
-    "§12, the series", {"1 + ½c² + 1/(2·4) c⁴ + 1·3·5/(2·4·6) c⁶", 1 + 1. / 8 + 1. / 128 + 15. / 48 / 64},
-    {"1 + 1²/2² c² + 1²3²/2²4² c⁴ + 1²3²5²/2²4²6² c⁶", [] { return series(0.25, 4); }},
-    "the series of §9; at ζ = 60° four terms must come that near to T/Θ", [](double reading) {
-      const double next = 1225. / 16384 / 256;
-      const double short_by = swing::ratio_from_top(120_deg) - reading;
-      return short_by == between(next, 2 * next, "the terms fall by more than cc = ¼");
-    }};
+const Emendation squares{"§12, the series",
+                         {"1 + ½c² + 1/(2·4) c⁴ + 1·3·5/(2·4·6) c⁶", 1 + 1. / 8 + 1. / 128 + 15. / 48 / 64},
+                         {"1 + 1²/2² c² + 1²3²/2²4² c⁴ + 1²3²5²/2²4²6² c⁶", [] { return series(0.25, 4); }},
+                         "the series of §9; at ζ = 60° four terms must come that near to T/Θ",
+                         [](double reading) {
+                           const double next = 1225. / 16384 / 256;
+                           const double short_by = swing::ratio_from_top(120_deg) - reading;
+                           return short_by == between(next, 2 * next, "the terms fall by more than cc = ¼");
+                         }};

@@ -96,9 +96,11 @@ double ratio_of_complement(double s)
 }
 
 const auto swing_ = amplitude_from_top(12_deg);
-const auto psi = angle("psi", 60_deg, above_to(0_deg, 180_deg), "bAZ, the angle from the top reached so far");
+const auto psi =
+    angle("psi", 60_deg, above_to(0_deg, 180_deg), "bAZ, the angle from the top reached so far");
 const auto b = real("b", 1.0, metres, positive, "AB, length of the equivalent simple pendulum");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
+const auto g =
+    real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
 
 TELL
 {
@@ -130,11 +132,12 @@ double lost(double got, double eta)
 
 TELL
 {
-  auto& rows = table("rows", "The descent from near the top", {{"eta", "η", radians},
-                                                             {"K", "t√(2g/b)", none, 12},
-                                                             {"ratio", "T/Θ", none, 12},
-                                                             {"lost", "error from c", none, 2},
-                                                             {"kept", "error from η", none, 2}});
+  auto& rows = table("rows", "The descent from near the top",
+                     {{"eta", "η", radians},
+                      {"K", "t√(2g/b)", none, 12},
+                      {"ratio", "T/Θ", none, 12},
+                      {"lost", "error from c", none, 2},
+                      {"kept", "error from η", none, 2}});
   for(const double eta : {1., 1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-16, 1e-150, 1e-300})
   {
     const double ratio = swing::ratio_from_top(eta);
@@ -179,7 +182,9 @@ TELL
         {"standard library, of c", [=] { return std::comp_ellint_1(c) * 2 / std::numbers::pi; }},
         {"GSL's R_F, of s", [=] { return ratio_of_complement(s); }},
         {"mean, of η", [=] { return ratio_by_mean(eta); }},
-        {"this edition, of η", [=] { return swing::ratio({zeta, eta}); }}});
+        {"this edition, of η", [=] {
+           return swing::ratio({zeta, eta});
+         }}});
 }
 
 /*!
@@ -211,7 +216,8 @@ CHECK_THAT("dz/dt along the exact descent is the root in the equation")
       const Fifty Phi = motion.angle(t), slope = cos(Phi / 2) * motion.velocity(t) / 2;
       const double z = static_cast<double>(sin(Phi / 2));
       const double amplified = 4 * static_cast<double>(1 / (pow(Fifty(std::cos(eta / 2)), 2) - z * z)) + 8;
-      CHECK(1 / element(std::cos(eta / 2), z) == within_ulps(slope, amplified, "1 − zz and cc − zz cancel"));
+      CHECK(1 / element(std::cos(eta / 2), z)
+            == within_ulps(slope, amplified, "1 − zz and cc − zz cancel"));
     }
   }
 }
@@ -240,7 +246,8 @@ CHECK_THAT("the time of the descent from near the top, for η from 1 to 1e-300")
   CHECK(ratio_by_mean(Fifty("1e-300")) == printed("441.085172928572554084051195236"));
   for(double eta = 1; eta > 1e-300; eta *= 1e-3)
   {
-    CHECK(swing::ratio_from_top(eta) == within_ulps(ratio_by_mean(Fifty(eta)), 2, "the library's own bound"));
+    CHECK(swing::ratio_from_top(eta)
+          == within_ulps(ratio_by_mean(Fifty(eta)), 2, "the library's own bound"));
     const Fifty s = sin(Fifty(eta) / 2), line = log(4 / s);
     const Fifty K = swing::oracle::K_from_complement(s);
     const Fifty least = s * s * (line - 1) / 4 - 1e-45, most = s * s * line / 4 + 1e-45;

@@ -45,7 +45,7 @@ double element(double psi, double eta)  // (4), without dψ
 }
 
 double element_before(double psi, double eta)  // (1), (2), (3)
-  // (3) over the root of (1) less (2)
+    // (3) over the root of (1) less (2)
 {
   const double cc = std::pow(std::cos(eta / 2), 2), zz = std::pow(std::cos(psi / 2), 2);
   return 0.5 / std::sqrt(cc - zz);
@@ -72,7 +72,8 @@ Free are the angle of the start and the angle that is reached; and, for seconds,
 const auto swing_ = amplitude_from_top(0.1_deg);
 const auto psi = angle("psi", 0.2_deg, above_to(0_deg, 180_deg), "the angle from the top that is reached");
 const auto b = real("b", 1.0, metres, positive, "length of the equivalent simple pendulum");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
+const auto g =
+    real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
 
 TELL
 {

@@ -94,7 +94,8 @@ template <class Real>
 Real uniform(Real way, Real eta, bool with_squares = true)  // (5), or the same without the terms in sin²α
 {
   using std::cos, std::log, std::sin, std::sqrt;
-  const Real alpha = eta / 2, omega = alpha + way / 2, ss = with_squares ? Real(pow(sin(alpha), 2)) : Real(0);
+  const Real alpha = eta / 2, omega = alpha + way / 2,
+             ss = with_squares ? Real(pow(sin(alpha), 2)) : Real(0);
   const Real v = sin(alpha) / sin(omega), root = sqrt(sin(way / 2) * sin(omega + alpha)) / sin(omega);
   return (1 + ss / 4) * first_term(way, eta) + (1 + 3 * ss / 4) * cos(alpha) * log(Real(2))
          - (pendulum::D(v, root) + ss * pendulum::W(v, root)) * cos(omega);
@@ -107,7 +108,8 @@ Free are both angles, and the length and $g$ for the time in seconds.
 const auto swing_ = amplitude_from_top(5_deg);
 const auto psi = angle("psi", 90_deg, above_to(0_deg, 180_deg), "the angle from the top that is reached");
 const auto b = real("b", 1.0, metres, positive, "length of the equivalent simple pendulum");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
+const auto g =
+    real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
 
 TELL
 {
@@ -190,7 +192,8 @@ CHECK_THAT("the series of the element sums to the element, everywhere beyond the
       const double reached = times * eta;
       const Fifty product = sin((Fifty(reached) + eta) / 2) * sin((Fifty(reached) - eta) / 2);
       const Fifty exact = 1 / (2 * sqrt(product));
-      CHECK(element(reached, eta, 200) == within_ulps(exact, 60, "a ratio of 3/4 at most, and its rounding"));
+      CHECK(element(reached, eta, 200)
+            == within_ulps(exact, 60, "a ratio of 3/4 at most, and its rounding"));
     }
 }
 
@@ -202,7 +205,8 @@ CHECK_THAT("the first term is the integral of the first term")
       const double way = reached - eta;
       const Fifty exact = log(tan((Fifty(way) + eta) / 4) / tan(Fifty(eta) / 4));
       CHECK(first_term(way, eta) == within_ulps(exact, 4, "sines, a quotient and a logarithm"));
-      const Fifty h("1e-18"), more = first_term(way + h, Fifty(eta)), less = first_term(way - h, Fifty(eta));
+      const Fifty h("1e-18"), more = first_term(way + h, Fifty(eta)),
+                              less = first_term(way - h, Fifty(eta));
       const Fifty term = 1 / (2 * sin((Fifty(way) + eta) / 2));
       CHECK((more - less) / (2 * h) == within_relative(term, 1e-28, "hh = 1e-36, and 1e-47 over h"));
     }
@@ -251,7 +255,8 @@ and one from $10^{-300}$ of a radian.
 CHECK_THAT("the time is right where the way is a millionth of η, and where η is 1e-300")
 {
   using swing::oracle::time_from_rest_past;
-  CHECK(time_from_rest_past(Fifty("1e-18"), Fifty("1e-12")) == printed("0.00141421344452199136754017079005"));
+  CHECK(time_from_rest_past(Fifty("1e-18"), Fifty("1e-12"))
+        == printed("0.00141421344452199136754017079005"));
   const Fifty begun = time_from_rest_past(Fifty("1e-13"), Fifty("1e-3"));
   CHECK(begun == printed("0.0000141421368021244897532185561959"));
   CHECK(swing::time_from_rest_past(1e-18, 1e-12)
@@ -267,9 +272,12 @@ One word is turned round in the text: it makes the time less, the smaller η is 
 it becomes infinite for none at all.
 */
 
-const Doubtful less{
-    "§15, the time for smaller η", {"the less (minus)", -1}, {"the longer (maius)", 1},
-    "the time to any place grows as η shrinks, without bound", [](double sign) {
-      const auto time = [](double eta) { return swing::time_from_rest(90_deg, eta); };
-      return sign * (time(2_deg) - time(5_deg)) > 0 && sign * (time(1_deg) - time(2_deg)) > 0;
-    }};
+const Doubtful less{"§15, the time for smaller η",
+                    {"the less (minus)", -1},
+                    {"the longer (maius)", 1},
+                    "the time to any place grows as η shrinks, without bound",
+                    [](double sign) {
+                      const auto time = [](double eta) { return swing::time_from_rest(90_deg, eta); };
+                      return sign * (time(2_deg) - time(5_deg)) > 0
+                             && sign * (time(1_deg) - time(2_deg)) > 0;
+                    }};

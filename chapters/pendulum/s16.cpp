@@ -54,7 +54,8 @@ Free are η, the length and $g$.
 
 const auto swing_ = amplitude_from_top(5_deg);
 const auto b = real("b", 1.0, metres, positive, "length of the equivalent simple pendulum");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
+const auto g =
+    real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
 
 TELL
 {
@@ -148,7 +149,8 @@ CHECK_THAT("what the first term leaves out lies between ln 2 and what the bounds
   {
     const Fifty eta = start, s = sin(eta / 2), line = log(4 / s), first = -log(tan(eta / 4));
     const Fifty missing = swing::oracle::K_from_complement(s) - first, least = line - first;
-    CHECK(missing == between(least - 1e-45, least + s * s * line / 4 + 1e-45, "and fifty digits' rounding"));
+    CHECK(missing
+          == between(least - 1e-45, least + s * s * line / 4 + 1e-45, "and fifty digits' rounding"));
     CHECK(least == within(exact::ln2() - 2 * log(cos(eta / 4)), 1e-45, "4/s over cot ¼η is 2/cos² ¼η"));
   }
   const auto a = swing::Amplitude::from_eta(1e-300);
@@ -174,9 +176,11 @@ a half in both expressions.
 */
 
 const Erratum enough{
-    "§16, the first term", {"accurate enough", [] { return first_term(swing::Amplitude::from_eta(5_deg)); }},
+    "§16, the first term",
+    {"accurate enough", [] { return first_term(swing::Amplitude::from_eta(5_deg)); }},
     {"not before l 2 is added", [] { return first_term(swing::Amplitude::from_eta(5_deg)) + std::log(2); }},
-    "at his own 5° it falls short by more than a seventh of the time", [](double reading) {
+    "at his own 5° it falls short by more than a seventh of the time",
+    [](double reading) {
       const double K = swing::quarter_time_from_top(5_deg);
       return reading == within_relative(K, 0.01, "enough should mean one per cent");
     }};
@@ -191,12 +195,14 @@ bool is_the_limit(double reading)
   return reading == within_ulps(Fifty(limit_of_the_way(5_deg)), 4, "the same logarithm");
 }
 
-const Emendation tangent{
-    "§16, the tangent", {"tg ½η", [] { return std::log(1 / std::tan(5_deg / 2)); }},
-    {"tg ¼η", [] { return std::log(1 / std::tan(5_deg / 4)); }},
-    "§15 has the quarters; at 5° it must be its value for ψ = 180°", is_the_limit};
+const Emendation tangent{"§16, the tangent",
+                         {"tg ½η", [] { return std::log(1 / std::tan(5_deg / 2)); }},
+                         {"tg ¼η", [] { return std::log(1 / std::tan(5_deg / 4)); }},
+                         "§15 has the quarters; at 5° it must be its value for ψ = 180°",
+                         is_the_limit};
 
-const Emendation cotangent{
-    "§16, the cotangent", {"cot ½η", [] { return -std::log(std::tan(5_deg / 2)); }},
-    {"cot ¼η", [] { return -std::log(std::tan(5_deg / 4)); }},
-    "the same; and for η = 5° §31 takes the cotangent of 1° 15'", is_the_limit};
+const Emendation cotangent{"§16, the cotangent",
+                           {"cot ½η", [] { return -std::log(std::tan(5_deg / 2)); }},
+                           {"cot ¼η", [] { return -std::log(std::tan(5_deg / 4)); }},
+                           "the same; and for η = 5° §31 takes the cotangent of 1° 15'",
+                           is_the_limit};

@@ -1,5 +1,5 @@
 /// @file
-/// What Euler's series for the time of a swing leaves out, enclosed between two bounds that stay close near the top.
+/// What Euler's series for the time of a swing leaves out, between two bounds that stay close near the top.
 #pragma once
 
 #include <cmath>
