@@ -74,9 +74,8 @@ TEST_CASE("Legendre's relation E K' + E' K − K K' = ½π, to k = 1 − 10⁻¹
     const Fifty kc = sqrt((Fifty(1) - Fifty(k)) * (Fifty(1) + Fifty(k)));
     const Fifty E = E_from_complement(kc);
     const Fifty E_other = E_from_complement(Fifty(k));
-    const auto relation = [&](const Fifty& K, const Fifty& K_other) {
-      return E * K_other + E_other * K - K * K_other - exact::pi() / Fifty(2);
-    };
+    const auto relation = [&](const Fifty& K, const Fifty& K_other)
+    { return E * K_other + E_other * K - K * K_other - exact::pi() / Fifty(2); };
     CHECK(static_cast<double>(abs(relation(oracle::K_from_complement(kc), oracle::K(kc)))) < 1e-46);
     // With the two K as doubles each errs by half an ulp and the relation by (E' − K')dK + (E − K)dK'.
     const double K = swing::K(k);
@@ -98,7 +97,8 @@ TEST_CASE("Landen's step up and down: K(k) = (1 + k₁) K(k₁), k₁ = (1 − k
     const swing::Twofold root = swing::sqrt({kc, 0});
     const double kc1 = (swing::Twofold{2 * root.hi, 2 * root.lo} / one_and).hi;
     const swing::Twofold factor = swing::Twofold{2, 0} / one_and;
-    worst.see(kc, ulps(swing::K_from_complement(kc), factor * swing::Twofold{swing::K_from_complement(kc1), 0}));
+    worst.see(kc,
+              ulps(swing::K_from_complement(kc), factor * swing::Twofold{swing::K_from_complement(kc1), 0}));
   }
   CAPTURE(worst.at);
   CHECK(worst.error <= 2);
@@ -107,7 +107,8 @@ TEST_CASE("Landen's step up and down: K(k) = (1 + k₁) K(k₁), k₁ = (1 − k
 TEST_CASE("T(150°) = √3 T(30°), by tables from end to end")
 {
   const double d = swing::pi_hi / 180;
-  CHECK(exact::ulps(swing::ratio_from_bottom(150 * d), sqrt(Fifty(3)) * Fifty(swing::ratio_from_bottom(30 * d))) <= 2);
+  CHECK(exact::ulps(swing::ratio_from_bottom(150 * d),
+                    sqrt(Fifty(3)) * Fifty(swing::ratio_from_bottom(30 * d))) <= 2);
 }
 
 TEST_CASE("at 90°, where the nome is exchanged for its dual, nothing jumps")

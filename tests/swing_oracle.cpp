@@ -13,8 +13,14 @@ namespace oracle = swing::oracle;
 namespace
 {
 
-double relative(const Fifty& got, const Fifty& exact) { return static_cast<double>(abs(got / exact - Fifty(1))); }
-Fifty degrees(double d) { return Fifty(d) * exact::pi() / Fifty(180); }
+double relative(const Fifty& got, const Fifty& exact)
+{
+  return static_cast<double>(abs(got / exact - Fifty(1)));
+}
+Fifty degrees(double d)
+{
+  return Fifty(d) * exact::pi() / Fifty(180);
+}
 
 } // namespace
 
@@ -31,7 +37,8 @@ TEST_CASE("K is the integral that defines it")
 {
   const Fifty k("0.8");
   const exact::Integral integral = exact::integrate(
-      [&](const Fifty& x) {
+      [&](const Fifty& x)
+      {
         const Fifty s = k * sin(x);
         return Fifty(1) / sqrt(Fifty(1) - s * s);
       },
@@ -43,12 +50,14 @@ TEST_CASE("T/Θ at 90° is Γ(¼)²/(2π^{3/2}), at 30° a product with Γ(⅓)�
 {
   const Fifty pi = exact::pi();
   const Fifty quarter = tgamma(Fifty(0.25));
-  CHECK(relative(oracle::ratio_from_bottom(pi / Fifty(2)), quarter * quarter / (Fifty(2) * pi * sqrt(pi))) < 1e-45);
-  const Fifty third = Fifty(1) / Fifty(3);
-  const Fifty at30 = pow(Fifty(3), Fifty(0.25)) * pow(tgamma(third), 3) / (pow(Fifty(2), Fifty(7) / Fifty(3)) * pi);
-  CHECK(relative(oracle::ratio_from_bottom(degrees(30)) * pi / Fifty(2), at30) < 1e-45);
-  CHECK(relative(oracle::ratio_from_bottom(degrees(150)), sqrt(Fifty(3)) * oracle::ratio_from_bottom(degrees(30))) <
+  CHECK(relative(oracle::ratio_from_bottom(pi / Fifty(2)), quarter * quarter / (Fifty(2) * pi * sqrt(pi))) <
         1e-45);
+  const Fifty third = Fifty(1) / Fifty(3);
+  const Fifty at30 =
+      pow(Fifty(3), Fifty(0.25)) * pow(tgamma(third), 3) / (pow(Fifty(2), Fifty(7) / Fifty(3)) * pi);
+  CHECK(relative(oracle::ratio_from_bottom(degrees(30)) * pi / Fifty(2), at30) < 1e-45);
+  CHECK(relative(oracle::ratio_from_bottom(degrees(150)),
+                 sqrt(Fifty(3)) * oracle::ratio_from_bottom(degrees(30))) < 1e-45);
 }
 
 TEST_CASE("the mean of 1 and √2 is Gauss's")
@@ -74,7 +83,8 @@ TEST_CASE("T/Θ from ζ and from η agree")
 
 TEST_CASE("Φ by theta functions and by Landen's transformation agree, for any energy")
 {
-  const auto agree = [](const oracle::Motion& m, double tolerance) {
+  const auto agree = [](const oracle::Motion& m, double tolerance)
+  {
     for (double part : {0.1, 0.37, 0.5, 0.93, 1.0, 1.6, 2.3, 3.7, 40.2})
     {
       const Fifty t = m.quarter() * Fifty(part);
@@ -93,7 +103,8 @@ TEST_CASE("Φ by theta functions and by Landen's transformation agree, for any e
 
 TEST_CASE("½Φ'² + 1 − cos Φ is the energy that was given")
 {
-  const auto lost = [](const oracle::Motion& m, const Fifty& energy, double part) {
+  const auto lost = [](const oracle::Motion& m, const Fifty& energy, double part)
+  {
     const Fifty t = m.quarter() * Fifty(part);
     const Fifty v = m.velocity(t);
     const Fifty s = sin(m.angle(t) / Fifty(2));
@@ -132,9 +143,8 @@ TEST_CASE("the times to an angle and the angles at a time are inverse to each ot
 
 TEST_CASE("107 bits are right to 2⁻⁹⁸ wherever the tests use them")
 {
-  const auto off = [](swing::Twofold got, const Fifty& exact) {
-    return static_cast<double>(abs((Fifty(got.hi) + Fifty(got.lo)) / exact - Fifty(1)));
-  };
+  const auto off = [](swing::Twofold got, const Fifty& exact)
+  { return static_cast<double>(abs((Fifty(got.hi) + Fifty(got.lo)) / exact - Fifty(1))); };
   Dice dice(11);
   for (int i = 0; i < 300; ++i)
   {

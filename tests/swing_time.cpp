@@ -33,10 +33,22 @@ double batch(void (*f)(std::span<const double>, std::span<double>), double x)
   return out[0];
 }
 
-double K_batch(double k) { return batch(swing::K, k); }
-double K_from_complement_batch(double kc) { return batch(swing::K_from_complement, kc); }
-double ratio_from_bottom_batch(double zeta) { return batch(swing::ratio_from_bottom, zeta); }
-double ratio_from_top_batch(double eta) { return batch(swing::ratio_from_top, eta); }
+double K_batch(double k)
+{
+  return batch(swing::K, k);
+}
+double K_from_complement_batch(double kc)
+{
+  return batch(swing::K_from_complement, kc);
+}
+double ratio_from_bottom_batch(double zeta)
+{
+  return batch(swing::ratio_from_bottom, zeta);
+}
+double ratio_from_top_batch(double eta)
+{
+  return batch(swing::ratio_from_top, eta);
+}
 
 // The edges at which a table's rows meet are the numbers with seven bits.
 template <class See>
@@ -113,12 +125,14 @@ TEST_CASE("K(k) at the ends, far down, and out of range")
 TEST_CASE("K(k) where the rows of its table meet")
 {
   Worst worst;
-  at_edges(0x1p-10, 1, [&](double y) {
-    const double k = 1 - y;
-    worst.see(k, ulps(swing::K(k), K_of(complement_of(k))));
-    const double below = std::nextafter(k, 0.0);
-    worst.see(below, ulps(swing::K(below), K_of(complement_of(below))));
-  });
+  at_edges(0x1p-10, 1,
+           [&](double y)
+           {
+             const double k = 1 - y;
+             worst.see(k, ulps(swing::K(k), K_of(complement_of(k))));
+             const double below = std::nextafter(k, 0.0);
+             worst.see(below, ulps(swing::K(below), K_of(complement_of(below))));
+           });
   CAPTURE(worst.at);
   CHECK(worst.error <= 0.75);
 }
@@ -128,7 +142,8 @@ TEST_CASE("K from the complement: all magnitudes, edges, ends")
   Dice dice(2);
   Worst one;
   Worst array;
-  const auto see = [&](double kc) {
+  const auto see = [&](double kc)
+  {
     const swing::Twofold exact = K_of({kc, 0});
     one.see(kc, ulps(swing::K_from_complement(kc), exact));
     array.see(kc, ulps(K_from_complement_batch(kc), exact));
@@ -143,7 +158,8 @@ TEST_CASE("K from the complement: all magnitudes, edges, ends")
   CHECK(one.error <= 0.75);
   CHECK(array.error <= 1.25);
 
-  for (double kc : {1.0, 0.5, 1e-154, 1e-155, 1e-300, 0x1p-1022, std::nextafter(0x1p-1022, 0.0), 1e-320, smallest})
+  for (double kc :
+       {1.0, 0.5, 1e-154, 1e-155, 1e-300, 0x1p-1022, std::nextafter(0x1p-1022, 0.0), 1e-320, smallest})
   {
     CAPTURE(kc);
     CHECK(exact::ulps(swing::K_from_complement(kc), oracle::K_from_complement(kc)) <= 0.75);
@@ -166,8 +182,10 @@ TEST_CASE("T/Θ from ζ on all of [0, π], the double nearest to π and its neig
   Worst one;
   Worst whole;
   Worst array;
-  const auto see = [&](double zeta) {
-    const swing::Twofold eta = swing::sum_of(swing::pi_hi, -zeta) + swing::Twofold{swing::pi_lo, -0x1.f1976b7ed8fbcp-109};
+  const auto see = [&](double zeta)
+  {
+    const swing::Twofold eta =
+        swing::sum_of(swing::pi_hi, -zeta) + swing::Twofold{swing::pi_lo, -0x1.f1976b7ed8fbcp-109};
     const swing::Twofold exact = ratio_of(K_of_eta(eta));
     one.see(zeta, ulps(swing::ratio_from_bottom(zeta), exact));
     whole.see(zeta, ulps(swing::ratio(Amplitude::from_zeta(zeta)), exact));
@@ -177,9 +195,9 @@ TEST_CASE("T/Θ from ζ on all of [0, π], the double nearest to π and its neig
     see(dice.between(0, swing::pi_hi));
   for (int i = 0; i < 20000; ++i)
     see(swing::pi_hi - dice.log_between(4e-16, 0.1));
-  for (double zeta : {0.0, 1e-308, 1e-9, 1e-6, 1e-3, swing::pi_hi / 2, 170 * swing::pi_hi / 180,
-                      179.9 * swing::pi_hi / 180, swing::pi_hi - 1e-4, swing::pi_hi - 1e-9,
-                      std::nextafter(swing::pi_hi, 0.0), swing::pi_hi})
+  for (double zeta :
+       {0.0, 1e-308, 1e-9, 1e-6, 1e-3, swing::pi_hi / 2, 170 * swing::pi_hi / 180, 179.9 * swing::pi_hi / 180,
+        swing::pi_hi - 1e-4, swing::pi_hi - 1e-9, std::nextafter(swing::pi_hi, 0.0), swing::pi_hi})
     see(zeta);
   CAPTURE(one.at);
   CAPTURE(whole.at);
@@ -204,7 +222,8 @@ TEST_CASE("T/Θ and K(cos ½η) from η: all magnitudes, edges, ends")
   Worst one;
   Worst quarter;
   Worst array;
-  const auto see = [&](double eta) {
+  const auto see = [&](double eta)
+  {
     const swing::Twofold K = K_of_eta({eta, 0});
     one.see(eta, ulps(swing::ratio_from_top(eta), ratio_of(K)));
     quarter.see(eta, ulps(swing::quarter_time_from_top(eta), K));
@@ -247,7 +266,8 @@ TEST_CASE("T/Θ − 1 to a relative 10⁻¹⁵, from the smallest swings to the 
 {
   Worst worst;
   Dice dice(5);
-  const auto see = [&](double zeta) {
+  const auto see = [&](double zeta)
+  {
     const Fifty exact = oracle::ratio_excess(zeta);
     const double got = swing::ratio_excess(Amplitude::from_zeta(zeta));
     worst.see(zeta, static_cast<double>(abs(Fifty(got) / exact - Fifty(1))));
@@ -292,7 +312,8 @@ TEST_CASE("an amplitude carries its supplement to the last digit, and what is no
   }
 }
 
-TEST_CASE("the height of the turning point goes in and comes back, from 10⁻³⁰⁰ to the last double below the top")
+TEST_CASE(
+    "the height of the turning point goes in and comes back, from 10⁻³⁰⁰ to the last double below the top")
 {
   for (double h : {1e-300, 1e-18, 1e-12, 1e-6, 1e-3, 0.3, 1.0, 1.2, 1.9, 1.999999, 2 - 0x1p-52})
   {
@@ -318,7 +339,8 @@ TEST_CASE("the time to an angle on the way, from the bottom and from rest")
     {
       const double phi = dice.between(0, zeta);
       const Amplitude a = Amplitude::from_zeta(zeta);
-      up.see(phi, exact::ulps(swing::time_from_bottom(phi, a), oracle::time_from_bottom(phi, exact::pi() - Fifty(zeta))));
+      up.see(phi, exact::ulps(swing::time_from_bottom(phi, a),
+                              oracle::time_from_bottom(phi, exact::pi() - Fifty(zeta))));
       CHECK(swing::time_from_bottom(-phi, a) == -swing::time_from_bottom(phi, a));
     }
   CAPTURE(up.at);
@@ -330,9 +352,11 @@ TEST_CASE("the time to an angle on the way, from the bottom and from rest")
     for (int i = 0; i < 300; ++i)
     {
       const double psi = dice.between(eta, swing::pi_hi);
-      down.see(psi, exact::ulps(swing::time_from_rest(psi, eta), oracle::time_from_rest_past(Fifty(psi) - Fifty(eta), eta)));
+      down.see(psi, exact::ulps(swing::time_from_rest(psi, eta),
+                                oracle::time_from_rest_past(Fifty(psi) - Fifty(eta), eta)));
       const double little = eta * dice.log_between(1e-14, 0.04);
-      past.see(little, exact::ulps(swing::time_from_rest_past(little, eta), oracle::time_from_rest_past(little, eta)));
+      past.see(little, exact::ulps(swing::time_from_rest_past(little, eta),
+                                   oracle::time_from_rest_past(little, eta)));
     }
   CAPTURE(down.at);
   CAPTURE(past.at);
@@ -344,7 +368,8 @@ TEST_CASE("the time to an angle: ends and out of range")
 {
   const Amplitude a = Amplitude::from_zeta(2);
   CHECK(swing::time_from_bottom(0, a) == 0);
-  CHECK(exact::ulps(swing::time_from_bottom(2, a), oracle::ratio_from_bottom(Fifty(2)) * exact::pi() / Fifty(2)) <= 6);
+  CHECK(exact::ulps(swing::time_from_bottom(2, a),
+                    oracle::ratio_from_bottom(Fifty(2)) * exact::pi() / Fifty(2)) <= 6);
   CHECK(std::isnan(swing::time_from_bottom(std::nextafter(2, 3), a)));
   CHECK(std::isnan(swing::time_from_bottom(not_a_number, a)));
   CHECK(swing::time_from_rest(1e-3, 1e-3) == 0);
@@ -354,10 +379,12 @@ TEST_CASE("the time to an angle: ends and out of range")
   CHECK(std::isnan(swing::time_from_rest(not_a_number, 1e-3)));
   CHECK(swing::time_from_rest(1, 0) == inf);
   // From the smallest angle that there is: 744 + ln 8 − … without overflow.
-  CHECK(exact::ulps(swing::time_from_rest(1, smallest), oracle::time_from_rest_past(Fifty(1) - Fifty(smallest), smallest)) <= 2);
+  CHECK(exact::ulps(swing::time_from_rest(1, smallest),
+                    oracle::time_from_rest_past(Fifty(1) - Fifty(smallest), smallest)) <= 2);
   // The three printed in the notes: hardly past rest, from very near the top, and past rest by less than ψ
   // can carry.
-  CHECK(exact::ulps(swing::time_from_rest_past(1e-18, 1e-12), oracle::time_from_rest_past(1e-18, 1e-12)) <= 4);
+  CHECK(exact::ulps(swing::time_from_rest_past(1e-18, 1e-12), oracle::time_from_rest_past(1e-18, 1e-12)) <=
+        4);
   CHECK(exact::ulps(swing::time_from_rest_past(1e-13, 1e-3), oracle::time_from_rest_past(1e-13, 1e-3)) <= 4);
 }
 

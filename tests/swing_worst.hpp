@@ -1,5 +1,6 @@
 /// @file
-/// What the tests of the swing share: the worst error seen, and a reference fast enough for a million arguments.
+/// What the tests of the swing share: the worst error seen, and a reference fast enough for a million
+/// arguments.
 #pragma once
 
 #include <cmath>
@@ -62,7 +63,13 @@ inline swing::Twofold complement_of(double k)
 }
 
 /// K by η of 107 bits.
-inline swing::Twofold K_of_eta(swing::Twofold eta) { return K_of(swing::sin({eta.hi / 2, eta.lo / 2})); }
+inline swing::Twofold K_of_eta(swing::Twofold eta)
+{
+  return K_of(swing::sin({eta.hi / 2, eta.lo / 2}));
+}
 
 /// T/Θ from K.
-inline swing::Twofold ratio_of(swing::Twofold K) { return K / swing::Twofold{swing::pi_hi / 2, swing::pi_lo / 2}; }
+inline swing::Twofold ratio_of(swing::Twofold K)
+{
+  return K / swing::Twofold{swing::pi_hi / 2, swing::pi_lo / 2};
+}

@@ -23,10 +23,22 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t sign_bit = 0x8000000000000000;
 
-SWING_INLINE std::uint64_t bits_of(double x) { return __builtin_bit_cast(std::uint64_t, x); }
-SWING_INLINE double from_bits(std::uint64_t b) { return __builtin_bit_cast(double, b); }
-SWING_INLINE double magnitude(double x) { return from_bits(bits_of(x) & ~sign_bit); }
-SWING_INLINE double with_sign(double x, std::uint64_t sign) { return from_bits(bits_of(x) ^ sign); }
+SWING_INLINE std::uint64_t bits_of(double x)
+{
+  return __builtin_bit_cast(std::uint64_t, x);
+}
+SWING_INLINE double from_bits(std::uint64_t b)
+{
+  return __builtin_bit_cast(double, b);
+}
+SWING_INLINE double magnitude(double x)
+{
+  return from_bits(bits_of(x) & ~sign_bit);
+}
+SWING_INLINE double with_sign(double x, std::uint64_t sign)
+{
+  return from_bits(bits_of(x) ^ sign);
+}
 
 // c[first] + c[first + step] x + …, unrolled.
 template <unsigned first, unsigned step, unsigned n>
@@ -45,11 +57,18 @@ SWING_INLINE double polynomial(const double (&c)[n], double x)
   return horner<0, 2>(c, x * x) + x * horner<1, 2>(c, x * x);
 }
 
-// sin πr for |r| ≤ ½.
-SWING_INLINE double sine_of_turns(double r)
+// A number and what it was rounded by, so small that its effect need only be known to a few digits.
+struct Part
 {
-  const double x = r * r;
-  return r * (pi_hi + (pi_lo + x * polynomial(tables::sine_of_turns, x)));
+  double value;
+  double lost;
+};
+
+// sin πr / π for |r| ≤ ½; its slope, cos πr, is not far from 1 − 4r².
+SWING_INLINE double sine_of_turns(Part r)
+{
+  const double x = r.value * r.value;
+  return r.value + (r.lost * (1 - 4 * x) + (r.value * x) * polynomial(tables::sine_of_turns, x));
 }
 
 // sin ½a for 0 ≤ a ≤ π.
@@ -148,12 +167,12 @@ struct Exponential
   double value;
 };
 
-SWING_INLINE Exponential exponential_of_minus(double x)
+SWING_INLINE Exponential exponential_of_minus(Part x)
 {
   constexpr double inverse = 1 / (tables::ln2_hi + tables::ln2_lo);
-  const double shifted = x * inverse + 0x1.8p52;
+  const double shifted = x.value * inverse + 0x1.8p52;
   const double n = shifted - 0x1.8p52;
-  const double r = (n * tables::ln2_hi - x) + n * tables::ln2_lo;
+  const double r = (n * tables::ln2_hi - x.value) + (n * tables::ln2_lo - x.lost);
   const double p = r + (r * r) * polynomial(tables::exponential, r);
   const double scale = from_bits((1023 - bits_of(shifted)) << 52);
   return {(scale - 1) + scale * p, scale + scale * p};
@@ -178,30 +197,43 @@ SWING_INLINE double twice_arc_tangent(double y, double x)
 // Where in its half swing the pendulum is: the time is n half swings and r of one, |r| ≤ ½.
 struct Phase
 {
-  double a;            // |r|
-  double to_rest;      // ½ − |r|
-  std::uint64_t sign;  // of r
+  Part from_bottom;   // |r|
+  Part to_rest;       // ½ − |r|
+  std::uint64_t sign; // of r
   double n;
   std::uint64_t parity; // the sign that an odd n gives
 };
 
-// The product t·f exactly, by splitting both factors in halves; then n is taken off before the rest is added.
+// The upper 26 bits of x.
+SWING_INLINE double head_of(double x)
+{
+  const double wide = x * 0x1.0000002p27;
+  return wide - (wide - x);
+}
+
+// x·y with what the product is rounded by, the halves of y being known.
+SWING_INLINE Part product_of(double x, double y, double y_head, double y_tail)
+{
+  const double product = x * y;
+  const double head = head_of(x);
+  const double tail = x - head;
+  return {product, ((head * y_head - product) + head * y_tail + tail * y_head) + tail * y_tail};
+}
+
+// The product t·f is formed exactly; n is taken off before the rest is added.
 SWING_INLINE Phase phase_of(const Prepared& p, double t)
 {
-  const double product = t * p.f_hi;
-  const double wide = t * 0x1.0000002p27;
-  const double head = wide - (wide - t);
-  const double tail = t - head;
-  const double lost =
-      (((head * p.f_head - product) + head * p.f_tail + tail * p.f_head) + tail * p.f_tail) + t * p.f_lo;
-  const double shifted = product + 0x1.8p52;
+  const Part product = product_of(t, p.f_hi, p.f_head, p.f_tail);
+  const double lost = product.lost + t * p.f_lo;
+  const double shifted = product.value + 0x1.8p52;
   const double n = shifted - 0x1.8p52;
-  const double whole = product - n;
+  const double whole = product.value - n;
   const double r = whole + lost;
   const std::uint64_t sign = bits_of(r) & sign_bit;
-  const double r_lost = with_sign((whole - r) + lost, sign);
-  const double a = with_sign(r, sign);
-  return {a, (0.5 - a) - r_lost, sign, n, bits_of(shifted) << 63};
+  const Part from_bottom{with_sign(r, sign), with_sign((whole - r) + lost, sign)};
+  const double left = 0.5 - from_bottom.value;
+  const double to_rest = left - from_bottom.lost;
+  return {from_bottom, {to_rest, (left - to_rest) - from_bottom.lost}, sign, n, bits_of(shifted) << 63};
 }
 
 // A positive quotient, its tangent or its value being what is asked.
@@ -211,21 +243,25 @@ struct Quotient
   double below;
 };
 
-// Below 90°: tan ½Φ = C θ₁(z)/θ₃(z) with z = πr, as a quotient of polynomials in sin² z, C already in the
-// numerator.
+// Below 90°: tan ½Φ = C θ₁(z)/θ₃(z) with z = πr.
 struct Low
 {
-  SWING_INLINE static Quotient tangent(const Prepared& p, double r, double)
+  SWING_INLINE static Quotient tangent(const Prepared& p, Part r, Part)
   {
     const double s = sine_of_turns(r);
     const double x = s * s;
-    return {s * horner<0, 1>(p.n, x), horner<0, 1>(p.d, x)};
+    const double main = p.angle_scale * s;
+    return {main + main * (p.angle_scale_lost + x * horner<0, 1>(p.n, x)), 1 + x * horner<0, 1>(p.d, x)};
   }
-  // Φ'(r) = 2kc tan ½Φ(½ − r).
-  SWING_INLINE static double speed(const Prepared& p, double r, double to_rest)
+  // Φ'(r) = 2kc tan ½Φ(½ − r). The quotient is 1 + y, and y is so small that what it is rounded by hardly
+  // counts.
+  SWING_INLINE static double speed(const Prepared& p, Part, Part to_rest)
   {
-    const Quotient q = tangent(p, to_rest, r);
-    return p.velocity_scale * (q.above / q.below);
+    const double s = sine_of_turns(to_rest);
+    const double x = s * s;
+    const double main = p.velocity_scale * s;
+    const double y = x * horner<0, 1>(p.p, x) / (1 + x * horner<0, 1>(p.d, x));
+    return main + main * (p.velocity_scale_lost + y);
   }
 };
 
@@ -239,89 +275,106 @@ struct Theta
   double one_minus_H;
 };
 
-SWING_INLINE Theta theta_of(const Prepared& p, double r, double to_rest)
+SWING_INLINE Theta theta_of(const Prepared& p, Part r, Part to_rest)
 {
-  const bool upper = to_rest < r;
-  const double v = (upper ? to_rest : r) * p.log_q;
-  const Exponential e = exponential_of_minus(v < 700 ? v : 700);
+  const bool upper = to_rest.value < r.value;
+  const double nearer = upper ? to_rest.value : r.value;
+  const double nearer_lost = upper ? to_rest.lost : r.lost;
+  const Part v = product_of(nearer, p.log_q, p.log_q_head, p.log_q_tail);
+  const bool far_down = v.value > 700;
+  const Exponential e =
+      exponential_of_minus({far_down ? 700 : v.value, far_down ? 0 : v.lost + nearer_lost * p.log_q});
   const double other = p.root_q / e.value;
   const double near = -e.minus_one * (2 + e.minus_one);
   const double far = (1 - other) * (1 + other);
   return {upper ? other : e.value, upper ? e.value : other, upper ? far : near, upper ? near : far};
 }
 
-// What remains of a theta function when its first factor, 1 ± G or 1 ± H, is taken out:
-// 1 + y (1 + x + x²) + q² y² (1 + x + … + x⁴) + q⁶ y³ (1 + x + … + x⁶).
-SWING_INLINE double cofactor(const Prepared& p, double x, double y)
+// What remains of a theta function when its first factor, 1 ± G or 1 ± H, is taken out, is 1 and this:
+// y (1 + x + x²) + q² y² (1 + x + … + x⁴) + q⁶ y³ (1 + x + … + x⁶).
+SWING_INLINE double beyond_one(const Prepared& p, double x, double y)
 {
   const double three = 1 + x * (1 + x);
   const double five = 1 + x * (1 + x * three);
   const double seven = 1 + x * (1 + x * five);
   const double q2 = p.q * p.q;
-  return 1 + y * (three + (y * q2) * (five + (y * q2 * q2) * seven));
+  return y * (three + (y * q2) * (five + (y * q2 * q2) * seven));
 }
 
-SWING_INLINE double theta_1(const Prepared& p, const Theta& t)
+// The cofactors of θ₁ … θ₄, less 1; their first factors are 1 − G, 1 + G, 1 + H and 1 − H.
+SWING_INLINE double cofactor_1(const Prepared& p, const Theta& t)
 {
-  return t.one_minus_G * cofactor(p, t.g * t.g, -p.q * (t.h * t.h));
+  return beyond_one(p, t.g * t.g, -p.q * (t.h * t.h));
 }
-SWING_INLINE double theta_2(const Prepared& p, const Theta& t)
+SWING_INLINE double cofactor_2(const Prepared& p, const Theta& t)
 {
-  return (1 + t.g * t.g) * cofactor(p, -(t.g * t.g), p.q * (t.h * t.h));
+  return beyond_one(p, -(t.g * t.g), p.q * (t.h * t.h));
 }
-SWING_INLINE double theta_3(const Prepared& p, const Theta& t)
+SWING_INLINE double cofactor_3(const Prepared& p, const Theta& t)
 {
-  return (1 + t.h * t.h) * cofactor(p, -(t.h * t.h), p.q * (t.g * t.g));
+  return beyond_one(p, -(t.h * t.h), p.q * (t.g * t.g));
 }
-SWING_INLINE double theta_4(const Prepared& p, const Theta& t)
+SWING_INLINE double cofactor_4(const Prepared& p, const Theta& t)
 {
-  return t.one_minus_H * cofactor(p, t.h * t.h, -p.q * (t.g * t.g));
+  return beyond_one(p, t.h * t.h, -p.q * (t.g * t.g));
+}
+
+// main·(1 + a)/(1 + b) and what the factor in it was rounded by, where a and b are small.
+SWING_INLINE double nearly(const Prepared& p, double main, double a, double b)
+{
+  return main + main * (p.velocity_scale_lost + (a - b) / (1 + b));
 }
 
 // Above 90°: the same quotient in the dual nome, where it is one of hyperbolic functions.
 struct High
 {
-  SWING_INLINE static Quotient tangent(const Prepared& p, double r, double to_rest)
+  SWING_INLINE static Quotient tangent(const Prepared& p, Part r, Part to_rest)
   {
     const Theta t = theta_of(p, r, to_rest);
-    return {p.angle_scale * theta_1(p, t), t.g * theta_3(p, t)};
+    return {p.angle_scale * (t.one_minus_G * (1 + cofactor_1(p, t))),
+            t.g * ((1 + t.h * t.h) * (1 + cofactor_3(p, t)))};
   }
-  SWING_INLINE static double speed(const Prepared& p, double r, double to_rest)
+  SWING_INLINE static double speed(const Prepared& p, Part r, Part to_rest)
   {
     const Theta t = theta_of(p, r, to_rest);
-    return p.velocity_scale * (t.g * theta_4(p, t)) / theta_2(p, t);
+    const double main = p.velocity_scale * (t.g * t.one_minus_H / (1 + t.g * t.g));
+    return nearly(p, main, cofactor_4(p, t), cofactor_2(p, t));
   }
 };
 
 // Revolving: Φ = 2 am, tan ½Φ = C θ₁(z)/θ₂(z), and Φ' goes as θ₃/θ₄.
 struct Fast
 {
-  SWING_INLINE static Quotient tangent(const Prepared& p, double r, double to_top)
+  SWING_INLINE static Quotient tangent(const Prepared& p, Part r, Part to_top)
   {
     const double s = sine_of_turns(r);
     const double c = sine_of_turns(to_top);
-    return {p.angle_scale * (s * horner<0, 1>(p.n, s * s)), c * horner<0, 1>(p.n, c * c)};
+    const double above = s * (1 + (s * s) * horner<0, 1>(p.n, s * s));
+    return {p.angle_scale * above, c * (1 + (c * c) * horner<0, 1>(p.n, c * c))};
   }
-  SWING_INLINE static double speed(const Prepared& p, double r, double to_top)
+  SWING_INLINE static double speed(const Prepared& p, Part r, Part to_top)
   {
     const double s = sine_of_turns(r);
     const double c = sine_of_turns(to_top);
-    return p.velocity_scale * (horner<0, 1>(p.d, s * s) / horner<0, 1>(p.d, c * c));
+    const double above = 1 + (s * s) * horner<0, 1>(p.d, s * s);
+    return p.velocity_scale * (above / (1 + (c * c) * horner<0, 1>(p.d, c * c)));
   }
 };
 
 // The same in the dual nome.
 struct Barely
 {
-  SWING_INLINE static Quotient tangent(const Prepared& p, double r, double to_top)
+  SWING_INLINE static Quotient tangent(const Prepared& p, Part r, Part to_top)
   {
     const Theta t = theta_of(p, r, to_top);
-    return {p.angle_scale * theta_1(p, t), t.g * theta_4(p, t)};
+    return {p.angle_scale * (t.one_minus_G * (1 + cofactor_1(p, t))),
+            t.g * (t.one_minus_H * (1 + cofactor_4(p, t)))};
   }
-  SWING_INLINE static double speed(const Prepared& p, double r, double to_top)
+  SWING_INLINE static double speed(const Prepared& p, Part r, Part to_top)
   {
     const Theta t = theta_of(p, r, to_top);
-    return p.velocity_scale * (t.g * theta_3(p, t)) / theta_2(p, t);
+    const double main = p.velocity_scale * (t.g * (1 + t.h * t.h) / (1 + t.g * t.g));
+    return nearly(p, main, cofactor_3(p, t), cofactor_2(p, t));
   }
 };
 
@@ -333,19 +386,22 @@ struct Swing
   SWING_INLINE static double angle(const Prepared& p, double t)
   {
     const Phase s = phase_of(p, t);
-    const Quotient q = from_rest ? Form::tangent(p, s.to_rest, s.a) : Form::tangent(p, s.a, s.to_rest);
+    const Quotient q =
+        from_rest ? Form::tangent(p, s.to_rest, s.from_bottom) : Form::tangent(p, s.from_bottom, s.to_rest);
     return with_sign(twice_arc_tangent(q.above, q.below), from_rest ? s.parity : s.parity ^ s.sign);
   }
   SWING_INLINE static double velocity(const Prepared& p, double t)
   {
     const Phase s = phase_of(p, t);
-    const double speed = from_rest ? Form::speed(p, s.to_rest, s.a) : Form::speed(p, s.a, s.to_rest);
+    const double speed =
+        from_rest ? Form::speed(p, s.to_rest, s.from_bottom) : Form::speed(p, s.from_bottom, s.to_rest);
     return with_sign(speed, from_rest ? s.parity ^ s.sign ^ sign_bit : s.parity);
   }
   SWING_INLINE static double from_top(const Prepared& p, double t)
   {
     const Phase s = phase_of(p, t);
-    const Quotient q = from_rest ? Form::tangent(p, s.to_rest, s.a) : Form::tangent(p, s.a, s.to_rest);
+    const Quotient q =
+        from_rest ? Form::tangent(p, s.to_rest, s.from_bottom) : Form::tangent(p, s.from_bottom, s.to_rest);
     return twice_arc_tangent(q.below, q.above);
   }
 };
@@ -357,18 +413,18 @@ struct Turn
   SWING_INLINE static double angle(const Prepared& p, double t)
   {
     const Phase s = phase_of(p, t);
-    const Quotient q = Form::tangent(p, s.a, s.to_rest);
+    const Quotient q = Form::tangent(p, s.from_bottom, s.to_rest);
     return s.n * (2 * pi_hi) + (s.n * (2 * pi_lo) + with_sign(twice_arc_tangent(q.above, q.below), s.sign));
   }
   SWING_INLINE static double velocity(const Prepared& p, double t)
   {
     const Phase s = phase_of(p, t);
-    return Form::speed(p, s.a, s.to_rest);
+    return Form::speed(p, s.from_bottom, s.to_rest);
   }
   SWING_INLINE static double from_top(const Prepared& p, double t)
   {
     const Phase s = phase_of(p, t);
-    const Quotient q = Form::tangent(p, s.a, s.to_rest);
+    const Quotient q = Form::tangent(p, s.from_bottom, s.to_rest);
     return twice_arc_tangent(q.below, q.above);
   }
 };

@@ -14,19 +14,24 @@ namespace swing::kernels
 /// is.
 struct Prepared
 {
-  double f_hi = 0;   ///< half swings (or half turns) per unit of time, the leading double
-  double f_head = 0; ///< its upper 26 bits
-  double f_tail = 0; ///< f_hi − f_head
-  double f_lo = 0;   ///< what f_hi lacks, to 107 bits in all
+  double f_hi = 0;       ///< half swings (or half turns) per unit of time, the leading double
+  double f_head = 0;     ///< its upper 26 bits
+  double f_tail = 0;     ///< f_hi − f_head
+  double f_lo = 0;       ///< what f_hi lacks, to 107 bits in all
   double reach = 0x1p50; ///< as many half swings can be told apart
 
-  double n[3] = {};  ///< the theta quotient below 90°: numerator in sin²
-  double d[4] = {};  ///< and denominator
-  double log_q = 0;  ///< −ln q' of the dual nome: the argument of the hyperbolic form per half swing
-  double root_q = 0; ///< √q'
-  double q = 0;      ///< q'
-  double angle_scale = 0;    ///< factor of tan ½Φ
-  double velocity_scale = 0; ///< factor of Φ'
+  double d[3] = {};       ///< θ₃/θ₃(0) = 1 + d[0] x + d[1] x² + d[2] x³, x = (sin z / π)²
+  double n[2] = {};       ///< θ₁/sin z in the same form
+  double p[3] = {};       ///< what the second exceeds the first by, divided by x
+  double log_q = 0;       ///< −ln q' of the dual nome: the argument of the hyperbolic form per half swing
+  double log_q_head = 0;  ///< its upper 26 bits
+  double log_q_tail = 0;  ///< the rest of it
+  double root_q = 0;      ///< √q'
+  double q = 0;           ///< q'
+  double angle_scale = 0; ///< factor of tan ½Φ
+  double velocity_scale = 0;      ///< factor of Φ'
+  double angle_scale_lost = 0;    ///< what the first was rounded by, relative to it
+  double velocity_scale_lost = 0; ///< what the second was rounded by, relative to it
 };
 
 /// The six courses a motion can take, each with its own formula.

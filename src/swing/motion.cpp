@@ -14,7 +14,10 @@ namespace
 
 using kernels::Prepared;
 
-Twofold half(Twofold x) { return {0.5 * x.hi, 0.5 * x.lo}; }
+Twofold half(Twofold x)
+{
+  return {0.5 * x.hi, 0.5 * x.lo};
+}
 
 void set_frequency(Prepared& p, Twofold f)
 {
@@ -22,6 +25,24 @@ void set_frequency(Prepared& p, Twofold f)
   p.f_head = head_of(f.hi);
   p.f_tail = f.hi - p.f_head;
   p.f_lo = f.lo;
+}
+
+void set_log_q(Prepared& p, double log_q)
+{
+  p.log_q = log_q;
+  p.log_q_head = head_of(log_q);
+  p.log_q_tail = log_q - p.log_q_head;
+}
+
+void set_scales(Prepared& p, Twofold angle, Twofold velocity)
+{
+  p.angle_scale = angle.hi;
+  p.velocity_scale = velocity.hi;
+  if (angle.hi > 0)
+  {
+    p.angle_scale_lost = angle.lo / angle.hi;
+    p.velocity_scale_lost = velocity.lo / velocity.hi;
+  }
 }
 
 // The nome of a modulus k ≤ 1/√2 with complement kc: q = ε + 2ε⁵ + 15ε⁹ + …, 2ε = (1 − √kc)/(1 + √kc); and
@@ -41,30 +62,42 @@ Nome nome_of(double k, double kc)
   return {epsilon * series, std::sqrt(series / divisor)};
 }
 
-// θ₁ = 2q^¼ sin z · N(sin² z) and θ₃ = D(sin² z).
+// θ₁/sin z and θ₃ as polynomials in x = (sin z / π)², without their constant factors.
 void set_theta_polynomials(Prepared& p, double q)
 {
   const double q2 = q * q;
   const double q4 = q2 * q2;
   const double q6 = q4 * q2;
   const double q9 = q4 * q4 * q;
-  p.n[0] = 1 - 3 * q2 + 5 * q6;
-  p.n[1] = 4 * q2 - 20 * q6;
-  p.n[2] = 16 * q6;
-  p.d[0] = 1 + 2 * (q + q4 + q9);
-  p.d[1] = -4 * (q + 4 * q4 + 9 * q9);
-  p.d[2] = 16 * (q4 + 6 * q9);
-  p.d[3] = -64 * q9;
+  const double n0 = 1 - 3 * q2 + 5 * q6;
+  const double d0 = 1 + 2 * (q + q4 + q9);
+  const double x1 = pi_hi * pi_hi;
+  const double x2 = x1 * x1;
+  p.n[0] = (4 * q2 - 20 * q6) / n0 * x1;
+  p.n[1] = 16 * q6 / n0 * x2;
+  p.d[0] = -4 * (q + 4 * q4 + 9 * q9) / d0 * x1;
+  p.d[1] = 16 * (q4 + 6 * q9) / d0 * x2;
+  p.d[2] = -64 * q9 / d0 * x1 * x2;
+  p.p[0] = p.n[0] - p.d[0];
+  p.p[1] = p.n[1] - p.d[1];
+  p.p[2] = -p.d[2];
+}
+
+// The quotient of the two where sin z = 1.
+double theta_quotient_at_rest(const Prepared& p)
+{
+  const double x = 1 / (pi_hi * pi_hi);
+  return 1 + x * (p.p[0] + x * (p.p[1] + x * p.p[2])) / (1 + x * (p.d[0] + x * (p.d[1] + x * p.d[2])));
 }
 
 // The cofactor of kernels.cpp, for the constants in front.
-double cofactor(double q, double x, double y)
+Twofold cofactor(double q, double x, double y)
 {
   const double three = 1 + x * (1 + x);
   const double five = 1 + x * (1 + x * three);
   const double seven = 1 + x * (1 + x * five);
   const double q2 = q * q;
-  return 1 + y * (three + y * q2 * (five + y * q2 * q2 * seven));
+  return sum_of(1, y * (three + y * q2 * (five + y * q2 * q2 * seven)));
 }
 
 void same_length(std::span<const double> in, std::span<double> out)
@@ -86,7 +119,7 @@ Motion::Motion(Amplitude a, Start start)
     course_ = kernels::high;
     set_frequency(p, {0x1p-500, 0});
     p.reach = 0.25;
-    p.log_q = 0x1p500;
+    set_log_q(p, 0x1p500);
     p.angle_scale = 0.5;
     p.velocity_scale = 4;
     return;
@@ -99,10 +132,8 @@ Motion::Motion(Amplitude a, Start start)
   {
     course_ = from_rest ? kernels::low_from_rest : kernels::low;
     set_theta_polynomials(p, nome_of(k.hi, kc.hi).q);
-    const double scale = (k / kc).hi * ((p.d[0] + p.d[1] + p.d[2] + p.d[3]) / (p.n[0] + p.n[1] + p.n[2]));
-    for (double& n : p.n)
-      n *= scale;
-    p.velocity_scale = 2 * kc.hi;
+    const Twofold scale = k * Twofold{pi_hi, pi_lo} / Twofold{theta_quotient_at_rest(p), 0};
+    set_scales(p, scale / kc, scale + scale);
   }
   else
   {
@@ -110,10 +141,10 @@ Motion::Motion(Amplitude a, Start start)
     const Nome nome = nome_of(kc.hi, k.hi);
     p.root_q = kc.hi * nome.root_over_modulus;
     p.q = p.root_q * p.root_q;
-    p.log_q = pi_hi * (agm_of_one_and(k) / mean).hi;
-    const double at_bottom = cofactor(p.q, -1, p.q * p.q) / ((1 - p.q) * cofactor(p.q, p.q, -p.q));
-    p.angle_scale = 2 * k.hi * nome.root_over_modulus * at_bottom;
-    p.velocity_scale = 4 * k.hi * at_bottom;
+    set_log_q(p, pi_hi * (agm_of_one_and(k) / mean).hi);
+    const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, -p.q) * cofactor(p.q, p.q, -p.q));
+    const Twofold scale = k * at_bottom;
+    set_scales(p, scale * Twofold{2 * nome.root_over_modulus, 0}, {4 * scale.hi, 4 * scale.lo});
   }
 }
 
@@ -142,10 +173,10 @@ Motion Motion::revolving(double excess)
     const Nome nome = nome_of(kappa_c.hi, kappa.hi);
     p.root_q = kappa_c.hi * nome.root_over_modulus;
     p.q = p.root_q * p.root_q;
-    p.log_q = pi_hi * (agm_of_one_and(kappa) / mean).hi;
-    const double at_bottom = cofactor(p.q, -1, p.q * p.q) / ((1 + p.q) * cofactor(p.q, -p.q, p.q));
-    p.angle_scale = 0.5 / at_bottom;
-    p.velocity_scale = 4 * inverse.hi * at_bottom;
+    set_log_q(p, pi_hi * (agm_of_one_and(kappa) / mean).hi);
+    const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, p.q) * cofactor(p.q, -p.q, p.q));
+    const Twofold scale = inverse * at_bottom;
+    set_scales(p, Twofold{0.5, 0} / at_bottom, {4 * scale.hi, 4 * scale.lo});
   }
   return m;
 }

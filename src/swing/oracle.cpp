@@ -13,8 +13,14 @@ const Fifty& enough()
   return value;
 }
 
-Fifty cosine_of_half(const Fifty& angle) { return cos(angle / Fifty(2)); }
-Fifty sine_of_half(const Fifty& angle) { return sin(angle / Fifty(2)); }
+Fifty cosine_of_half(const Fifty& angle)
+{
+  return cos(angle / Fifty(2));
+}
+Fifty sine_of_half(const Fifty& angle)
+{
+  return sin(angle / Fifty(2));
+}
 
 // Carlson's R_F by duplication; the error left is of the eighth order in the relative spread.
 Fifty carlson_rf(Fifty x, Fifty y, Fifty z)
@@ -67,7 +73,6 @@ Fifty even_series(const Fifty& q, const Fifty& z, bool alternating, Function f)
   return sum;
 }
 
-
 } // namespace
 
 Fifty agm(Fifty a, Fifty b)
@@ -81,9 +86,15 @@ Fifty agm(Fifty a, Fifty b)
   return (a + b) / Fifty(2);
 }
 
-Fifty K_from_complement(const Fifty& kc) { return exact::pi() / (Fifty(2) * agm(Fifty(1), kc)); }
+Fifty K_from_complement(const Fifty& kc)
+{
+  return exact::pi() / (Fifty(2) * agm(Fifty(1), kc));
+}
 
-Fifty K(const Fifty& k) { return K_from_complement(sqrt((Fifty(1) - k) * (Fifty(1) + k))); }
+Fifty K(const Fifty& k)
+{
+  return K_from_complement(sqrt((Fifty(1) - k) * (Fifty(1) + k)));
+}
 
 Fifty K_by_series(const Fifty& kc)
 {
@@ -105,9 +116,15 @@ Fifty K_by_series(const Fifty& kc)
   return direct ? exact::pi() / Fifty(2) * sum : sum;
 }
 
-Fifty ratio_from_bottom(const Fifty& zeta) { return Fifty(1) / agm(Fifty(1), cosine_of_half(zeta)); }
+Fifty ratio_from_bottom(const Fifty& zeta)
+{
+  return Fifty(1) / agm(Fifty(1), cosine_of_half(zeta));
+}
 
-Fifty ratio_from_top(const Fifty& eta) { return Fifty(1) / agm(Fifty(1), sine_of_half(eta)); }
+Fifty ratio_from_top(const Fifty& eta)
+{
+  return Fifty(1) / agm(Fifty(1), sine_of_half(eta));
+}
 
 Fifty ratio_excess(const Fifty& zeta)
 {
@@ -158,8 +175,8 @@ struct Motion::Place
 
 Motion::Motion(const Fifty& k, const Fifty& kc, const Fifty& rate, bool turns)
     : k_(k), kc_(kc), rate_(rate), turns_(turns), dual_(kc < k), K_(K_from_complement(kc)),
-      other_K_(K_from_complement(k)),
-      q_(exp(-exact::pi() * (dual_ ? K_ / other_K_ : other_K_ / K_))), quarter_(K_ / rate)
+      other_K_(K_from_complement(k)), q_(exp(-exact::pi() * (dual_ ? K_ / other_K_ : other_K_ / K_))),
+      quarter_(K_ / rate)
 {
 }
 

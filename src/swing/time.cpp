@@ -49,7 +49,8 @@ struct Coefficient
 
 constexpr int terms = 8;
 
-constexpr std::array<Coefficient, terms> coefficients = [] {
+constexpr std::array<Coefficient, terms> coefficients = []
+{
   std::array<Coefficient, terms> c{};
   double a = 1;
   double r = 0;
@@ -63,8 +64,8 @@ constexpr std::array<Coefficient, terms> coefficients = [] {
   return c;
 }();
 
-// K near the top, Σ aₙ² mⁿ (L − rₙ) with L = ln(4/kc) and m = kc² < 1/128. L is given as twos·ln 2 − factor·ln x and
-// `more`, which is small, so that its leading part can be summed without loss.
+// K near the top, Σ aₙ² mⁿ (L − rₙ) with L = ln(4/kc) and m = kc² < 1/128. L is given as twos·ln 2 −
+// factor·ln x and `more`, which is small, so that its leading part can be summed without loss.
 Twofold K_near_top(int twos, double x, double factor, double more, double m)
 {
   double lift = 0;
@@ -82,6 +83,8 @@ Twofold K_near_top(int twos, double x, double factor, double more, double m)
   const double sum = head + value;
   const double rest = ((head - sum) + value) + (twos - factor * e) * tables::ln2_lo +
                       factor * beyond_centre(row, z - row.centre) + more;
+  if (m < 0x1p-60)
+    return {sum, rest};
   const double L = sum + rest;
   double series = 0;
   for (std::size_t n = terms - 1; n > 0; --n)
@@ -89,7 +92,10 @@ Twofold K_near_top(int twos, double x, double factor, double more, double m)
   return {sum, rest + series};
 }
 
-double rounded(Twofold x) { return x.hi + x.lo; }
+double rounded(Twofold x)
+{
+  return x.hi + x.lo;
+}
 
 // ln(sin h / h) = −h²/6 − h⁴/180 − h⁶/2835 − …, here with η = 2h < 1/64.
 Twofold K_near_top_of_eta(double eta)
@@ -146,7 +152,8 @@ double carlson_rf(double x, double y, double z)
   const double e2 = dx * dy - dz * dz;
   const double e3 = dx * dy * dz;
   return (1 + (e2 * (-1.0 / 10 + e2 / 24 - 3 * e3 / 44 - 5 * e2 * e2 / 208 + e2 * e3 / 16) +
-               e3 * (1.0 / 14 + 3 * e3 / 104))) / std::sqrt(mean);
+               e3 * (1.0 / 14 + 3 * e3 / 104))) /
+         std::sqrt(mean);
 }
 
 // Sine of half the sum of two angles between 0 and π, given with their supplements.
@@ -189,10 +196,22 @@ Amplitude Amplitude::from_depth(double depth)
   return depth <= 1 ? from_eta(angle_of(depth)) : from_zeta(angle_of(2 - depth));
 }
 
-double Amplitude::height() const { return zeta <= eta ? versine(zeta) : 2 - versine(eta); }
-double Amplitude::depth() const { return eta <= zeta ? versine(eta) : 2 - versine(zeta); }
-double Amplitude::modulus() const { return std::sin(zeta / 2); }
-double Amplitude::complement() const { return std::sin(eta / 2); }
+double Amplitude::height() const
+{
+  return zeta <= eta ? versine(zeta) : 2 - versine(eta);
+}
+double Amplitude::depth() const
+{
+  return eta <= zeta ? versine(eta) : 2 - versine(zeta);
+}
+double Amplitude::modulus() const
+{
+  return std::sin(zeta / 2);
+}
+double Amplitude::complement() const
+{
+  return std::sin(eta / 2);
+}
 
 double agm(double a, double b)
 {
@@ -253,7 +272,10 @@ double quarter_time_from_top(double eta)
   return eta == 0 ? inf : nan;
 }
 
-double quarter_time(Amplitude a) { return quarter_time_from_top(a.eta); }
+double quarter_time(Amplitude a)
+{
+  return quarter_time_from_top(a.eta);
+}
 
 namespace
 {
@@ -278,7 +300,10 @@ double ratio_of(double eta, double rest)
 
 } // namespace
 
-double ratio_from_top(double eta) { return ratio_of(eta, 0); }
+double ratio_from_top(double eta)
+{
+  return ratio_of(eta, 0);
+}
 
 double ratio_from_bottom(double zeta)
 {
@@ -289,7 +314,10 @@ double ratio_from_bottom(double zeta)
   return ratio_of(eta, (nearly - eta) + pi_lo);
 }
 
-double ratio(Amplitude a) { return ratio_of(a.eta, a.eta_rest); }
+double ratio(Amplitude a)
+{
+  return ratio_of(a.eta, a.eta_rest);
+}
 
 // Up to 90° by a polynomial in ζ²; beyond, where the excess is no longer small, a subtraction costs three
 // units of the last place.
@@ -367,7 +395,7 @@ double time_from_rest_past(double past, double eta)
   {
     const double sine = std::sin(omega);
     const double tangents = 4 * std::tan(omega / 2) / eta;
-    const double first = past < psi / 2    ? std::log1p(past / eta)
+    const double first = past < psi / 2   ? std::log1p(past / eta)
                          : tangents < inf ? std::log(tangents)
                                           : std::log(4 * std::tan(omega / 2)) - std::log(eta);
     const double quotient = past < 1e-8 ? past / (2 * sine) : below / sine;

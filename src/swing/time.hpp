@@ -59,58 +59,68 @@ struct Amplitude
   double complement() const;
 };
 
-/// The complete elliptic integral of the first kind K(k) of the modulus k, |k| ≤ 1.
-/// K(±1) = +∞; NaN outside and for NaN.
+// The errors that follow are the worst found by tests/swing_time.cpp against 107 bits and fifty digits, in
+// units of the last place (ulp): tens of thousands of arguments in every range, the edges of all tables and
+// intervals included.
+
+/// The complete elliptic integral of the first kind K(k) of the modulus k, |k| ≤ 1. K(±1) = +∞; NaN outside
+/// and for NaN. Worst error 0.61 ulp, for every k up to 1 − 2⁻⁵³.
 double K(double k);
 
-/// K as a function of the complementary modulus kc = √(1 − k²), 0 ≤ kc ≤ 1, at full precision down to the
-/// smallest double. K_from_complement(0) = +∞; NaN outside and for NaN.
+/// K as a function of the complementary modulus kc = √(1 − k²), 0 ≤ kc ≤ 1, down to the smallest double.
+/// K_from_complement(0) = +∞; NaN outside and for NaN. Worst error 0.52 ulp.
 double K_from_complement(double kc);
 
-/// The time from the lowest point to rest, in units √(b/2g); +∞ for η = 0.
+/// The time from the lowest point to rest, in units √(b/2g); +∞ for η = 0. Worst error 0.8 ulp.
 double quarter_time(Amplitude a);
 
-/// The same from η = π − ζ, 0 ≤ η ≤ π. NaN outside and for NaN.
+/// The same from η = π − ζ, 0 ≤ η ≤ π, down to the smallest double. NaN outside and for NaN. Worst error 0.6
+/// ulp.
 double quarter_time_from_top(double eta);
 
-/// T/Θ, the time of a swing over that of a very small one; +∞ for η = 0.
+/// T/Θ, the time of a swing over that of a very small one; +∞ for η = 0. Worst error 0.8 ulp.
 double ratio(Amplitude a);
 
-/// The same from η = π − ζ, 0 ≤ η ≤ π. NaN outside and for NaN.
+/// The same from η = π − ζ, 0 ≤ η ≤ π. NaN outside and for NaN. Worst error 0.7 ulp.
 double ratio_from_top(double eta);
 
-/// The same from ζ, 0 ≤ ζ ≤ π, for those who ask once and keep no Amplitude. NaN outside and for NaN.
+/// The same from ζ, 0 ≤ ζ ≤ π, for those who ask once and keep no Amplitude. NaN outside and for NaN. Worst
+/// error 0.8 ulp, also at the double nearest to π and before it.
 double ratio_from_bottom(double zeta);
 
-/// T/Θ − 1, to full relative precision also for the smallest swings; +∞ for η = 0.
+/// T/Θ − 1, to full relative precision also for the smallest swings; +∞ for η = 0. Worst error 10⁻¹⁵ of the
+/// value.
 double ratio_excess(Amplitude a);
 
 /// The time from the lowest point up to the angle Φ, in units √(b/2g). Odd in Φ. NaN unless |Φ| ≤ ζ.
+/// Worst error 5 ulp for Φ and ζ as given.
 double time_from_bottom(double phi, Amplitude a);
 
 /// The time from rest at the angle η from the top down to the angle ψ from the top, 0 < η ≤ ψ ≤ π, in units
-/// √(b/2g). NaN unless ψ and η are so; +∞ for η = 0 < ψ.
+/// √(b/2g). NaN unless ψ and η are so; +∞ for η = 0 < ψ. Worst error 6 ulp for ψ and η as given.
 double time_from_rest(double psi, double eta);
 
 /// The same where ψ = η + past and `past` ≥ 0 is the given quantity: near rest ψ itself would not carry its
-/// digits.
+/// digits. Worst error 6 ulp.
 double time_from_rest_past(double past, double eta);
 
-/// K of an array of moduli. Throws std::invalid_argument when the spans differ in length, never for a value.
+/// K of an array of moduli, with the widest registers that the processor has; the same bits on all. Domain,
+/// ends and NaN as for one number. Worst error 1.0 ulp. Throws std::invalid_argument when the spans differ in
+/// length, never for a value.
 void K(std::span<const double> k, std::span<double> out);
 
-/// K_from_complement of an array.
+/// K_from_complement of an array. Worst error 1.1 ulp.
 void K_from_complement(std::span<const double> kc, std::span<double> out);
 
-/// T/Θ of an array of amplitudes ζ; NaN outside [0, π].
+/// T/Θ of an array of amplitudes ζ; NaN outside [0, π]. Worst error 1.2 ulp.
 void ratio_from_bottom(std::span<const double> zeta, std::span<double> out);
 
-/// T/Θ of an array of η = π − ζ; NaN outside [0, π].
+/// T/Θ of an array of η = π − ζ; NaN outside [0, π]. Worst error 1.2 ulp.
 void ratio_from_top(std::span<const double> eta, std::span<double> out);
 
 /// The arithmetic–geometric mean of a and b, both ≥ 0: K = π/2M(1, kc). Stops when both means agree to half
 /// the digits, after which one more arithmetic mean has them all. Zero when either is zero; NaN for a
-/// negative one.
+/// negative one. K by this mean errs by up to 5 ulp.
 double agm(double a, double b);
 
 } // namespace swing

@@ -62,8 +62,14 @@ inline Twofold operator*(Twofold a, Twofold b)
   return ordered_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
-inline Twofold operator-(Twofold a) { return {-a.hi, -a.lo}; }
-inline Twofold operator-(Twofold a, Twofold b) { return a + -b; }
+inline Twofold operator-(Twofold a)
+{
+  return {-a.hi, -a.lo};
+}
+inline Twofold operator-(Twofold a, Twofold b)
+{
+  return a + -b;
+}
 
 inline Twofold operator/(Twofold a, Twofold b)
 {

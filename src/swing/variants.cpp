@@ -35,7 +35,10 @@ namespace
 
 const Table* const variants[] = {&portable};
 
-std::size_t supported() { return 1; }
+std::size_t supported()
+{
+  return 1;
+}
 
 } // namespace
 
@@ -47,8 +50,14 @@ std::size_t count()
   return n;
 }
 
-const Table& variant(std::size_t i) { return *variants[i]; }
+const Table& variant(std::size_t i)
+{
+  return *variants[i];
+}
 
-const Table& best() { return variant(count() - 1); }
+const Table& best()
+{
+  return variant(count() - 1);
+}
 
 } // namespace swing::kernels

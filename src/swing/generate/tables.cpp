@@ -35,7 +35,10 @@ Fifty agm(Fifty a, Fifty b)
   return (a + b) / Fifty(2);
 }
 
-Fifty K_of_complement(const Fifty& kc) { return exact::pi() / (Fifty(2) * agm(Fifty(1), kc)); }
+Fifty K_of_complement(const Fifty& kc)
+{
+  return exact::pi() / (Fifty(2) * agm(Fifty(1), kc));
+}
 
 std::string hex(double x)
 {
@@ -71,7 +74,10 @@ std::string bits(const Fifty& error)
 constexpr int dense = 600;
 
 // Points from a to b, crowded towards both ends, where the extremes of a best approximation crowd too.
-std::vector<Fifty> grid(const Fifty& a, const Fifty& b) { return generate::tchebychef_points(dense, a, b); }
+std::vector<Fifty> grid(const Fifty& a, const Fifty& b)
+{
+  return generate::tchebychef_points(dense, a, b);
+}
 
 // f(x) = fixed(x) + scale(x)·(c₀ + c₁x² + …), the error relative to f: writes the c.
 void write_even(const std::string& name, const std::string& what, int terms, const Fifty& a, const Fifty& b,
@@ -88,8 +94,10 @@ void write_even(const std::string& name, const std::string& what, int terms, con
     samples.push_back(std::move(sample));
   }
   const Fit fit = generate::minimax(samples);
-  write_array(name, what + "; best for x from " + a.str(6) + " to " + b.str(6) + ", largest relative error " +
-              bits(fit.error), rounded(fit.coefficients));
+  write_array(name,
+              what + "; best for x from " + a.str(6) + " to " + b.str(6) + ", largest relative error " +
+                  bits(fit.error),
+              rounded(fit.coefficients));
 }
 
 void write_elementary()
@@ -97,19 +105,23 @@ void write_elementary()
   const Fifty tiny = Fifty(1e-6);
   const Fifty pi = exact::pi();
   const Fifty root2 = sqrt(Fifty(2));
-  write_even("sine_of_turns", "sin πx = πx + x³(c₀ + c₁x² + …)", 8, tiny, Fifty(0.5),
-             [=](const Fifty& x) { return sin(pi * x); }, [=](const Fifty& x) { return pi * x; },
-             [](const Fifty& x) { return x * x * x; });
-  write_even("sine_of_half", "sin ½x = ½x + x³(c₀ + c₁x² + …)", 8, tiny, pi,
-             [](const Fifty& x) { return sin(x / Fifty(2)); }, [](const Fifty& x) { return x / Fifty(2); },
-             [](const Fifty& x) { return x * x * x; });
-  write_even("arc_tangent", "arctan x = x + x³(c₀ + c₁x² + …)", 11, tiny, root2 - Fifty(1),
-             [](const Fifty& x) { return atan(x); }, [](const Fifty& x) { return x; },
-             [](const Fifty& x) { return x * x * x; });
-  write_even("log_of_quotient", "ln((1+x)/(1−x)) = 2x + x³(c₀ + c₁x² + …)", 7, tiny,
-             (root2 - Fifty(1)) / (root2 + Fifty(1)) * Fifty(1.0001),
-             [](const Fifty& x) { return Fifty(2) * atanh(x); }, [](const Fifty& x) { return Fifty(2) * x; },
-             [](const Fifty& x) { return x * x * x; });
+  write_even(
+      "sine_of_turns", "sin πx / π = x + x³(c₀ + c₁x² + …)", 8, tiny, Fifty(0.5),
+      [=](const Fifty& x) { return sin(pi * x) / pi; }, [](const Fifty& x) { return x; },
+      [](const Fifty& x) { return x * x * x; });
+  write_even(
+      "sine_of_half", "sin ½x = ½x + x³(c₀ + c₁x² + …)", 8, tiny, pi,
+      [](const Fifty& x) { return sin(x / Fifty(2)); }, [](const Fifty& x) { return x / Fifty(2); },
+      [](const Fifty& x) { return x * x * x; });
+  write_even(
+      "arc_tangent", "arctan x = x + x³(c₀ + c₁x² + …)", 11, tiny, root2 - Fifty(1),
+      [](const Fifty& x) { return atan(x); }, [](const Fifty& x) { return x; },
+      [](const Fifty& x) { return x * x * x; });
+  write_even(
+      "log_of_quotient", "ln((1+x)/(1−x)) = 2x + x³(c₀ + c₁x² + …)", 7, tiny,
+      (root2 - Fifty(1)) / (root2 + Fifty(1)) * Fifty(1.0001),
+      [](const Fifty& x) { return Fifty(2) * atanh(x); }, [](const Fifty& x) { return Fifty(2) * x; },
+      [](const Fifty& x) { return x * x * x; });
 }
 
 void write_exponential()
@@ -159,7 +171,8 @@ void write_K_formula()
   for (std::size_t j = 0; j < fit.coefficients.size(); ++j)
     (j % 2 == 0 ? p : q).push_back(static_cast<double>(fit.coefficients[j]));
   const std::string what = "K = ln 4 − ½ ln m + m(P(m) − ln m Q(m)), m = 1 − k²; both best together for "
-                           "0 < m ≤ 1, largest relative error " + bits(fit.error);
+                           "0 < m ≤ 1, largest relative error " +
+                           bits(fit.error);
   write_array("K_plain", what + ": P", p);
   write_array("K_with_log", what + ": Q", q);
 }
@@ -167,13 +180,15 @@ void write_K_formula()
 // T/Θ − 1 = ζ²(c₀ + c₁ζ² + …). With M the mean of 1 and cos ½ζ the excess is (1 − M)/M.
 void write_excess()
 {
-  const Function excess = [](const Fifty& zeta) {
+  const Function excess = [](const Fifty& zeta)
+  {
     const Fifty mean = agm(Fifty(1), cos(zeta / Fifty(2)));
     return (Fifty(1) - mean) / mean;
   };
   const Fifty last = exact::pi() / Fifty(2) * Fifty(1.0001);
-  write_even("excess", "T/Θ − 1 = x²(c₀ + c₁x² + …), x = ζ", 14, Fifty(1e-3), last, excess,
-             [](const Fifty&) { return Fifty(0); }, [](const Fifty& x) { return x * x; });
+  write_even(
+      "excess", "T/Θ − 1 = x²(c₀ + c₁x² + …), x = ζ", 14, Fifty(1e-3), last, excess,
+      [](const Fifty&) { return Fifty(0); }, [](const Fifty& x) { return x * x; });
 }
 
 // One row of a table: where its polynomial is centred, and the polynomial.
@@ -271,8 +286,10 @@ void write_table(const std::string& name, const std::string& what, int lowest, d
 
 void write_tables()
 {
-  std::fprintf(out, "\n// A row: f(x) = c[0] + c[1] t + … with t = x − centre.\n"
-                    "struct Row\n{\n  double centre;\n  double c[%d];\n};\n", degree + 1);
+  std::fprintf(out,
+               "\n// A row: f(x) = c[0] + c[1] t + … with t = x − centre.\n"
+               "struct Row\n{\n  double centre;\n  double c[%d];\n};\n",
+               degree + 1);
   const Fifty quarter_turn = exact::pi() / Fifty(2);
   write_table("K_by_modulus", "K(k), the rows by 1 − k", -8, 1, true,
               [](const Fifty& k) { return K_of_complement(sqrt((Fifty(1) - k) * (Fifty(1) + k))); });
@@ -288,8 +305,9 @@ void write_tables()
 void write_constant(const std::string& name, const Fifty& x, int kept_bits)
 {
   const int shift = kept_bits - static_cast<int>(std::ceil(std::log2(std::fabs(static_cast<double>(x)))));
-  const double head = kept_bits >= 53 ? static_cast<double>(x) : std::ldexp(std::nearbyint(
-      std::ldexp(static_cast<double>(x), shift)), -shift);
+  const double head = kept_bits >= 53
+                          ? static_cast<double>(x)
+                          : std::ldexp(std::nearbyint(std::ldexp(static_cast<double>(x), shift)), -shift);
   const double rest = static_cast<double>(x - Fifty(head));
   const char* const format = "inline constexpr double %s_hi = %s;\ninline constexpr double %s_lo = %s;\n";
   std::fprintf(out, format, name.c_str(), hex(head).c_str(), name.c_str(), hex(rest).c_str());
