@@ -11,9 +11,10 @@ using pendulum::ratio_by_mean, pendulum::series, pendulum::tail_bound;
 /*!
 ## What Euler does
 
-The element of time in {{sec pendulum.07}} has to be integrated from the lowest point, $z = 0$, to the turning
-point, $z = c$. The limits should be the same for all swings, and so he puts $z = cy$; then $y$ runs from 0 to
-1, and
+The time of half a swing is an integral that has no closed form, and he makes a series of it. The element of
+time in {{sec pendulum.07}} has to be integrated from the lowest point, $z = 0$, to the turning point,
+$z = c$. The limits should be the same for all swings, and so he puts $z = cy$; then $y$ runs from 0 to 1,
+and
 
 $$ \frac{dt\sqrt{2g}}{\sqrt b} = \frac{dy}{\sqrt{(1-yy)(1-ccyy)}}. \tag{1} $$
 
@@ -64,13 +65,13 @@ $$ \begin{aligned} \frac{t\sqrt{2g}}{\sqrt b} = \frac\pi2\Bigl(1 + \frac{1^2}{2^
 Today: ${}_2F_1(\tfrac12,\tfrac12;1;cc)$.
 :::
 
-He says nothing of convergence. All terms are positive, so that the exchange of sum and integral is harmless,
-and $c$ is less than one.
+He says nothing of convergence. All terms are positive, so that the exchange of sum and integral is
+harmless, and $c$ is less than one.
 
 ## The program
 
-The integrand, the development of its second root, and the ladder of integrals, which is carried as a fraction
-of $\tfrac12\pi$.
+The integrand, the development of its second root, and the ladder of integrals, which is carried as a
+fraction of $\tfrac12\pi$.
 */
 
 double element(double y, double c)  // (1), without dy
@@ -110,9 +111,9 @@ before. A geometric series above, and another below, enclose it:
 
 $$ \frac{a_N^2c^{2N}}{1 - cc\left(\frac{2N+1}{2N+2}\right)^2} < R_N < \frac{a_N^2c^{2N}}{1-cc}. \tag{9} $$
 
-That is close for small swings. Near the top it says little, since $1 - cc$ vanishes. But $a_n^2(n+\tfrac14)$
-grows, and towards $\frac1\pi$; put the limit in the place of every one from $N$ on, or that with $n = N$, and
-the sums can be done:
+That is close for small swings. Near the top it says little, since $1 - cc$ vanishes. But
+$a_n^2(n+\tfrac14)$ grows, and towards $\frac1\pi$; put the limit in the place of every one from $N$ on, or
+that with $n = N$, and the sums can be done:
 
 $$ \pi a_N^2(N+\tfrac14)\,B < R_N < B,\qquad B = \frac1\pi\sum_{n\ge N}\frac{c^{2n}}{n+\frac14}. \tag{10} $$
 
@@ -241,15 +242,15 @@ TELL
 }
 
 /*!
-Ten terms for the semicircle leave out {{R|8}}, and {{eq 10}} knows it beforehand to lie between {{low|8}} and
-{{high|8}}; by {{eq 9}} it is only known to lie between {{outer_low|8}} and {{outer_high|8}}.
+Ten terms for the semicircle leave out {{R|8}}, and {{eq 10}} knows it beforehand to lie between {{low|8}}
+and {{high|8}}; by {{eq 9}} it is only known to lie between {{outer_low|8}} and {{outer_high|8}}.
 
 ::: figure pendulum-08
 alt: What is left out against the number of terms, both logarithmic, at 30, 90, 150 and 175 degrees.
 
 What $N$ terms of {{eq 8}} leave out. The shaded bands are the geometric bounds {{eq 9}}: close for a small
-swing, useless for a wide one until the terms have begun to fail. The two bounds {{eq 10}} are drawn as dots;
-no eye can part them from one another or from the curve.
+swing, useless for a wide one until the terms have begun to fail. The two bounds {{eq 10}} are drawn as
+dots; no eye can part them from one another or from the curve.
 :::
 
 ## Checks

@@ -9,8 +9,9 @@ using pendulum::ratio_by_mean, pendulum::series;
 /*!
 ## What Euler does
 
-In {{sec pendulum.08}} the time $t$ was that of half a swing, from the lowest point to the turning point.
-Twice as much is the time $T$ of a whole one, from side to side:
+Twice the time of half a swing is that of a whole one, and the smallest of all swings gives the length of
+the seconds pendulum. In {{sec pendulum.08}} the time $t$ was that of half a swing, from the lowest point to
+the turning point. Twice as much is the time $T$ of a whole one, from side to side:
 
 $$ \begin{aligned} T = \frac{\pi\sqrt b}{\sqrt{2g}}\Bigl(1 + \frac{1^2}{2^2}cc
    &+ \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6 \\
@@ -22,13 +23,13 @@ His $g$ is a height, half of today's acceleration: $2g$ is what we call $g$. His
 period.
 :::
 
-It comes out in seconds, provided that $g$ is the height through which heavy bodies fall in the first second.
-If the swings are infinitely small, $\zeta = 0$ and $c = 0$, nothing is left of the bracket, and
+It comes out in seconds, provided that $g$ is the height through which heavy bodies fall in the first
+second. If the swings are infinitely small, $\zeta = 0$ and $c = 0$, nothing is left of the bracket, and
 
 $$ T = \frac{\pi\sqrt b}{\sqrt{2g}}, \tag{2} $$
 
-where $b$ is the length of the simple pendulum that swings as fast, that is the distance from the axis $A$ to
-the centre of oscillation.
+where $b$ is the length of the simple pendulum that swings as fast, that is the distance from the axis $A$
+to the centre of oscillation.
 
 What must this length be for a pendulum that beats seconds? $T$ has to be 1, and so
 
@@ -60,8 +61,8 @@ double seconds_length(double g, double pi = std::numbers::pi)  // (3)
 
 /*!
 The lengths are in feet, as his; but any other unit will do if $g$ is in it too (`--g 4.903325 --b 1` is a
-metre). A pendulum that swings wide is slower, and to beat seconds it has to be shorter: {{eq 1}} put equal to
-1 gives {{eq 3}} divided by the square of the bracket.
+metre). A pendulum that swings wide is slower, and to beat seconds it has to be shorter: {{eq 1}} put equal
+to 1 gives {{eq 3}} divided by the square of the bracket.
 */
 
 double seconds_length_wide(double g, swing::Amplitude amplitude)
@@ -126,16 +127,17 @@ TELL
 
 /*!
 The reading of $g$ is certain: with 31 feet the length would be {{with_31|5}}. The last digits are another
-matter. What {{eq 3}} gives is {{seconds_length|6}} feet. No stand-in for $\pi$ leads to 3,16621, and for the
-length to be right $g$ would have to be {{needed|7}}. One way leads there, to the last digit: a difference of
-logarithms that is wrong by one in its fifth place. But a 9 taken for a 1 would do as well. A clock with this
-pendulum would gain {{gained|2}} seconds a day.
+matter. What {{eq 3}} gives is {{seconds_length|6}} feet. No stand-in for $\pi$ leads to 3,16621, and for
+the length to be right $g$ would have to be {{needed|7}}. One way leads there, to the last digit: a
+difference of logarithms that is wrong by one in its fifth place. But a 9 taken for a 1 would do as well. A
+clock with this pendulum would gain {{gained|2}} seconds a day.
 
 ::: figure pendulum-09
 alt: Time of a swing against length, both logarithmic: parallel lines for 0, 90, 150 and 175 degrees.
 
-The times are as the square roots of the lengths, and not only for small swings: the lines for all amplitudes
-are parallel. The points are seconds pendulums: the wider the swing, the shorter the pendulum has to be.
+The times are as the square roots of the lengths, and not only for small swings: the lines for all
+amplitudes are parallel. The points are seconds pendulums: the wider the swing, the shorter the pendulum has
+to be.
 :::
 
 ## Checks
@@ -180,8 +182,8 @@ CHECK_THAT("a pendulum of the length told beats seconds, at every amplitude")
 }
 
 /*!
-The two numbers for $g$ have lost the last stroke of an eighth and a quarter. The proof is the length printed
-two lines below: it must come out within a hundredth of a foot.
+The two numbers for $g$ have lost the last stroke of an eighth and a quarter. The proof is the length
+printed two lines below: it must come out within a hundredth of a foot.
 */
 
 bool near_the_printed_length(double length)

@@ -16,24 +16,24 @@ using pendulum::ratio_by_mean, pendulum::series, pendulum::tail_bound;
 /*!
 ## What Euler does
 
-Here begins the supplement to the dissertation. At its end, in {{sec pendulum.11}}, the time of a swing had
-been shown to grow without bound as $\zeta$ goes to 180°. That raises a question which he finds curious: how
-long is it when $\zeta$ is very nearly 180°, so that $c = \sin\tfrac12\zeta$ falls short of one by next to
-nothing?
+Here begins the supplement to the dissertation, with a question about the widest swings of all. At its end,
+in {{sec pendulum.11}}, the time of a swing had been shown to grow without bound as $\zeta$ goes to 180°.
+That raises a question which he finds curious: how long is it when $\zeta$ is very nearly 180°, so that
+$c = \sin\tfrac12\zeta$ falls short of one by next to nothing?
 
 The series is still there,
 
 $$ T = \frac{\pi\sqrt b}{\sqrt{2g}}\left(1 + \frac{1^2}{2^2}c^2 + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4
    + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6 + \text{etc.}\right), \tag{1} $$
 
-and its sum is finite. But the terms hardly diminish any more, and one cannot hope to find the sum from them,
-not even roughly. Nor does he see any way to transform the series into one that would give it exactly enough.
-He will have to begin anew, from the integral and from the other end of the circle.
+and its sum is finite. But the terms hardly diminish any more, and one cannot hope to find the sum from
+them, not even roughly. Nor does he see any way to transform the series into one that would give it exactly
+enough. He will have to begin anew, from the integral and from the other end of the circle.
 
 ## The program
 
-How many terms does it take? The program adds them in fifty digits until no more is left out than a given part
-of the whole, which it knows from the mean of {{sec pendulum.11}}.
+How many terms does it take? The program adds them in fifty digits until no more is left out than a given
+part of the whole, which it knows from the mean of {{sec pendulum.11}}.
 */
 
 int terms_needed(const Fifty& cc, double part)  // of (1)
@@ -51,8 +51,8 @@ int terms_needed(const Fifty& cc, double part)  // of (1)
 
 /*!
 Near the top there is a law in it. With $s = \cos\tfrac12\zeta$, which is small, the terms fall off like
-$e^{-nss}/\pi n$, so that what $N$ of them leave out is nearly $\frac1\pi E_1(Nss)$, an exponential integral.
-The number of terms goes up as $1/ss$.
+$e^{-nss}/\pi n$, so that what $N$ of them leave out is nearly $\frac1\pi E_1(Nss)$, an exponential
+integral. The number of terms goes up as $1/ss$.
 */
 
 double terms_by_law(double s, double part)
@@ -77,9 +77,9 @@ $$ \frac T\Theta = (1+q)\left(1 + \frac{1^2}{2^2}q^2 + \frac{1^2\cdot3^2}{2^2\cd
 Landen's transformation: $K(c) = (1+q)K(q)$.
 :::
 
-the same series, with the square of the tangent of the quarter angle in the place of the sine of the half. At
-90° it takes $c = 0{,}707$ to $q = 0{,}172$; and it can be done again and again. Done to the end it is the
-arithmetic-geometric mean.
+the same series, with the square of the tangent of the quarter angle in the place of the sine of the half.
+At 90° it takes $c = 0{,}707$ to $q = 0{,}172$; and it can be done again and again. Done to the end it is
+the arithmetic-geometric mean.
 */
 
 double quarter_tangent(double zeta)  // q
@@ -103,7 +103,8 @@ int steps_of_the_mean(double eta, double part)
 }
 
 /*!
-Free are the amplitude, here best given by what it lacks, the pendulum's length, $g$, and the accuracy wanted.
+Free are the amplitude, here best given by what it lacks, the pendulum's length, $g$, and the accuracy
+wanted.
 */
 
 const auto swing_ = amplitude_from_top(5_deg);
@@ -168,9 +169,9 @@ TELL
 }
 
 /*!
-The race at 175°. Besides the two series there is the bare one with its tail closed as in {{sec pendulum.08}},
-and the routines that take the modulus $c$. These can do no better than $c$ itself, which has been rounded:
-near the top that is what they suffer from.
+The race at 175°. Besides the two series there is the bare one with its tail closed as in
+{{sec pendulum.08}}, and the routines that take the modulus $c$. These can do no better than $c$ itself,
+which has been rounded: near the top that is what they suffer from.
 */
 
 TELL
@@ -195,18 +196,18 @@ TELL
 }
 
 /*!
-At 175° it takes {{needed}} terms of Euler's series to have the time to the hundred thousandth part; after one
-transformation {{needed_landen}}; by the mean, {{steps}} steps. So the answer to his question, for 5° from the
-top, was within reach: {{T_over_Theta|8}} times the small swing. Even ten terms of {{eq 1}} itself would do,
-if one adds what their successors very nearly sum to, an arc and a logarithm; this gives {{ten_closed|8}}, and
-it is as good right up to the top.
+At 175° it takes {{needed}} terms of Euler's series to have the time to the hundred thousandth part; after
+one transformation {{needed_landen}}; by the mean, {{steps}} steps. So the answer to his question, for 5°
+from the top, was within reach: {{T_over_Theta|8}} times the small swing. Even ten terms of {{eq 1}} itself
+would do, if one adds what their successors very nearly sum to, an arc and a logarithm; this gives
+{{ten_closed|8}}, and it is as good right up to the top.
 
 ::: figure pendulum-12
 alt: Terms needed against amplitude. The series needs a handful up to 60 degrees, 90 000 at 179 degrees.
 
 What it takes to have $T$ to the hundred thousandth part. The series {{eq 1}} does well up to a hundred
-degrees and then becomes hopeless. One step of Landen's takes the square root of the labour, roughly; the mean
-hardly notices how near the top is.
+degrees and then becomes hopeless. One step of Landen's takes the square root of the labour, roughly; the
+mean hardly notices how near the top is.
 :::
 
 ## Checks

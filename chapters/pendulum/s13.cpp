@@ -14,15 +14,15 @@ using pendulum::ratio_by_mean;
 /*!
 ## What Euler does
 
-He turns the figure over. About the axis $A$ the circle is drawn with the radius $AB = Ab = b$; its diameter
-$Bb$ is vertical, $B$ below and $b$ on top. A radius $Ag$ goes up, only a little off the vertical, and from
-$g$ the pendulum begins to descend along the circle. The small angle $bAg$ he calls $\eta$. In the
-dissertation $\zeta$ was the angle $BAg$, so that now
+He turns the figure over and counts the angles from the top. About the axis $A$ the circle is drawn with the
+radius $AB = Ab = b$; its diameter $Bb$ is vertical, $B$ below and $b$ on top. A radius $Ag$ goes up, only a
+little off the vertical, and from $g$ the pendulum begins to descend along the circle. The small angle $bAg$
+he calls $\eta$. In the dissertation $\zeta$ was the angle $BAg$, so that now
 
 $$ \zeta = 180° - \eta,\qquad c = \sin\left(90° - \tfrac12\eta\right) = \cos\tfrac12\eta, \tag{1} $$
 
-which is nearly one. When the time $t$ has passed the pendulum has come down from $g$ to $Z$. The angle $bAZ$
-is called $\psi$, and then
+which is nearly one. When the time $t$ has passed the pendulum has come down from $g$ to $Z$. The angle
+$bAZ$ is called $\psi$, and then
 
 $$ \Phi = BAZ = 180° - \psi,\qquad z = \sin\tfrac12\Phi = \cos\tfrac12\psi. \tag{2} $$
 
@@ -70,11 +70,12 @@ double element(double c, double z)  // (3), without dz
 }
 
 /*!
-What looks like a mere change of letters is, for a calculator with a fixed number of places, the whole point.
-Near the top $c$ cannot be written down: at $\eta = 1''$ it differs from one in the twelfth place, and in
-double precision it *is* one as soon as $\eta$ is below $2\cdot10^{-8}$. The angle $\zeta$ is hardly better;
-the double nearest to 180° is a definite angle that falls short of it. But $\eta$ can be as small as it likes
-and keeps all its digits. So does the time, if it is computed from $\sin\tfrac12\eta$, as by the mean.
+What looks like a mere change of letters is, for a calculator with a fixed number of places, the whole
+point. Near the top $c$ cannot be written down: at $\eta = 1''$ it differs from one in the twelfth place,
+and in double precision it *is* one as soon as $\eta$ is below $2\cdot10^{-8}$. The angle $\zeta$ is hardly
+better; the double nearest to 180° is a definite angle that falls short of it. But $\eta$ can be as small as
+it likes and keeps all its digits. So does the time, if it is computed from $\sin\tfrac12\eta$, as by the
+mean.
 
 ::: code pendulum/series.hpp ratio_by_mean
 :::
@@ -189,15 +190,15 @@ TELL
 
 /*!
 Try `--eta 1e-5` or `--eta 1e-300` for the race. An amplitude of exactly the double that is called π is not
-180° but {{short_of_pi|e4}} short of it, and the swing takes {{nearest_pi|8}} times as long as a small one: no
-infinity, only a lost digit.
+180° but {{short_of_pi|e4}} short of it, and the swing takes {{nearest_pi|8}} times as long as a small one:
+no infinity, only a lost digit.
 
 ::: figure pendulum-13-lost
 alt: Relative error of the time against η. From c it grows as the inverse square; from η it stays at 1e-16.
 
 The same number from $c$ and from $\eta$. The grey line is what the rounding of $c$ must cost, whoever
-computes; it is not GSL's fault. At $\eta = 2\cdot10^{-8}$ there is nothing left of $c$ but 1, and the answer
-is no number. From $\eta$ all digits are there.
+computes; it is not GSL's fault. At $\eta = 2\cdot10^{-8}$ there is nothing left of $c$ but 1, and the
+answer is no number. From $\eta$ all digits are there.
 :::
 
 ## Checks

@@ -8,7 +8,8 @@ SECTION(pendulum, 14, "The equation of the descent")
 /*!
 ## What Euler does
 
-With the letters of {{sec pendulum.13}} the two squares in the equation of motion are
+The equation of motion is written with the angles from the top. With the letters of {{sec pendulum.13}} the
+two squares in the equation of motion are
 
 $$ cc = \cos^2\tfrac12\eta = 1 - \sin^2\tfrac12\eta, \tag{1} $$
 
@@ -19,16 +20,16 @@ and the rest of it becomes
 $$ \frac{dz}{\sqrt{1-zz}} = \tfrac12\,d\psi. \tag{3} $$
 
 Here he sets the sign $+$, where the differential of $\cos\tfrac12\psi$ would have $-$. He says why: now the
-body is taken to go down, while before it had been going up. On the way up time and $z$ grow together, on the
-way down $z$ decreases and $\psi$ grows; what has to be positive is the element of time.
+body is taken to go down, while before it had been going up. On the way up time and $z$ grow together, on
+the way down $z$ decreases and $\psi$ grows; what has to be positive is the element of time.
 
 In the difference $cc - zz$ the two ones cancel, and there remains
 
 $$ \frac{dt\sqrt{2g}}{\sqrt b} = \frac{d\psi}{2\sqrt{\sin^2\tfrac12\psi - \sin^2\tfrac12\eta}}, \tag{4} $$
 
 ::: margin
-Today: $\tfrac12\dot\psi^2 = 2\left(\sin^2\tfrac12\psi - \sin^2\tfrac12\eta\right)$ in the unit $\sqrt{b/2g}$
-of time, the energy counted from the top.
+Today: $\tfrac12\dot\psi^2 = 2\left(\sin^2\tfrac12\psi - \sin^2\tfrac12\eta\right)$ in the unit
+$\sqrt{b/2g}$ of time, the energy counted from the top.
 :::
 
 where, he reminds us, the term $\sin^2\tfrac12\eta$ is as small as can be. The large number $c$, nearly one,
@@ -52,8 +53,8 @@ double element_before(double psi, double eta)  // (1), (2), (3)
 }
 
 /*!
-One difference is left, and just after the start, where $\psi$ is hardly more than $\eta$, it is again one of
-nearly equal numbers. It is a product,
+One difference is left, and just after the start, where $\psi$ is hardly more than $\eta$, it is again one
+of nearly equal numbers. It is a product,
 
 $$ \sin^2\tfrac12\psi - \sin^2\tfrac12\eta = \sin\tfrac12(\psi+\eta)\,\sin\tfrac12(\psi-\eta), \tag{5} $$
 
@@ -113,11 +114,12 @@ TELL
 
 /*!
 ::: figure pendulum-14
-alt: The element of time against ψ. Three curves fall from infinity, at 5, 1 and 0.1 degrees, to a common one.
+alt: The element of time against ψ. Three curves fall from infinity, at 5, 1 and 0.1 degrees, to a common
+one.
 
-The time that each further radian takes, against the angle from the top. Every start has an infinite element,
-which lasts only a moment; soon afterwards all three curves lie on one, $\tfrac12 : \sin\tfrac12\psi$, as if η
-were nothing. That is what {{sec pendulum.15}} builds on.
+The time that each further radian takes, against the angle from the top. Every start has an infinite
+element, which lasts only a moment; soon afterwards all three curves lie on one,
+$\tfrac12 : \sin\tfrac12\psi$, as if η were nothing. That is what {{sec pendulum.15}} builds on.
 :::
 
 ## Checks
@@ -177,7 +179,8 @@ CHECK_THAT("dz is −½dψ times √(1 − zz), so that the sign + means the des
 }
 
 /*!
-Near the top the pendulum is a body about an unstable balance, and goes as the hyperbolic cosine of the time.
+Near the top the pendulum is a body about an unstable balance, and goes as the hyperbolic cosine of the
+time.
 */
 
 CHECK_THAT("near the top ψ is η cosh t, while ψ is small")

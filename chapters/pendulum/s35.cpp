@@ -9,8 +9,9 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-As in {{sec pendulum.31}}, the series is multiplied by the hyperbolic logarithm of
-$\cot\tfrac12\alpha = \cot 15'$, whose common logarithm is 2,3601799. The first member is
+The first member again, and this time he shows the reckoning. As in {{sec pendulum.31}}, the series is
+multiplied by the hyperbolic logarithm of $\cot\tfrac12\alpha = \cot 15'$, whose common logarithm is
+2,3601799. The first member is
 
 $$ 1{,}00001904 \cdot 2{,}3601799 \cdot 2{,}30258509, \tag{1} $$
 

@@ -10,7 +10,8 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-The second member is the hyperbolic logarithm of two times $\cos\alpha$,
+The two members that remain are reckoned out; then the copy breaks off. The second member is the hyperbolic
+logarithm of two times $\cos\alpha$,
 
 $$ \begin{aligned} l\,0{,}6931472 &= 9{,}8408253 \\ l\cos\alpha &= 9{,}9999835 \\ l\,\text{membr. II} &= 9{,}8408088, \qquad
    \text{membr. II} = 0{,}69312, \end{aligned} \tag{1} $$
