@@ -29,11 +29,11 @@ export function reading(entry, check, home = '') {
   const proof = entry.kind === 'undecided' ? 'The proof cannot tell them apart.' : 'The proof fails with the first and holds with the second.';
   return `<p class="reading"><span class="siglum" aria-hidden="true">${sigla[entry.kind]}</span> <span class="kind">${entry.kind}</span>${home} `
     + `<span class="where">${escape(entry.where)}</span>: ${what} <span class="printed">${escape(entry.printed)}</span>, ${against} `
-    + `<span class="right">${escape(entry.right)}</span>; ${escape(entry.because)}. <span class="proof">${check.passed ? proof : verdict(false)}</span></p>`;
+    + `<span class="right">${escape(entry.right)}</span>; ${escape(entry.because)}. <span class="proof">${!check.passed ? verdict(false) : home ? '' : proof}</span></p>`;
 }
 
 /** The table's opening, with what a keyboard needs to scroll it. */
-export const table = (label, heads) => `<div class="table" tabindex="0" role="group" aria-label="${label}"><table><thead><tr>`
+export const table = (label, heads) => `<div class="table broad" tabindex="0" role="group" aria-label="${label}"><table><thead><tr>`
   + `${heads.map((h) => `<th scope="col">${h}</th>`).join('')}</tr></thead>\n<tbody>\n`;
 export const tableEnd = '</tbody></table></div>\n';
 

@@ -48,7 +48,7 @@ function concordance(book) {
       if (!s) return `<tr><th scope="row">§ ${i + 1}</th><td class="word not-yet" colspan="4">not yet</td></tr>`;
       const figures = s.figures.map((f, k) => `<a href="${s.name}.html#fig-${k + 1}">${f}</a>`).join(', ') || `none: ${s.noFigure}`;
       return `<tr><th scope="row"><a href="${s.name}.html">§ ${i + 1}</a></th><td class="word"><a href="${s.name}.html">${escape(s.told.title)}</a></td>`
-        + `<td class="word"><a href="programs/${s.name}.cpp"><code>${s.name}</code></a></td><td class="word">${s.checks} ${verdict(s.holds)}</td><td class="word">${figures}</td></tr>`;
+        + `<td class="word"><a href="programs/${s.name}.cpp"><code class="whole">${s.name}</code></a></td><td>${s.checks} ${verdict(s.holds)}</td><td class="word">${figures}</td></tr>`;
     });
     return `<h2 id="${c.id}">${escape(c.title)}</h2>\n${table(`Sections of ${c.short}`, ['', 'page', 'program', 'checks', 'figures'])}${rows.join('\n')}${tableEnd}`;
   }).join('');

@@ -48,13 +48,13 @@ function fenced(type, open, close) {
   };
 }
 
-/** An inline token of the given type for what `pattern` (sticky) matches; its content is the first group. */
+/** An inline token of the given type for what `pattern` (sticky) matches: its content the first group, its meta the second. */
 function inline(type, pattern) {
   return (state, silent) => {
     pattern.lastIndex = state.pos;
     const match = pattern.exec(state.src);
     if (!match) return false;
-    if (!silent) state.push(type, '', 0).content = match[1];
+    if (!silent) Object.assign(state.push(type, '', 0), { content: match[1], meta: match[2] });
     state.pos += match[0].length;
     return true;
   };
@@ -66,17 +66,17 @@ md.block.ruler.before('fence', 'formula', fenced('formula', /^\$\$/, /\$\$$/), a
 md.block.ruler.before('fence', 'division', fenced('division', /^::: *(\S.*)/, /^:::$/), alt);
 md.block.ruler.before('fence', 'told_block', fenced('told_block', /^\{\{(table|collected) (?=[^{}]+\}\}$)/, /\}\}$/), alt);
 md.inline.ruler.before('escape', 'math', inline('math', /\$((?:[^$\\]|\\[^])+)\$/y));
-md.inline.ruler.before('escape', 'told', inline('told', /\{\{((?:[^{}\\]|\\.)+)\}\}/y));
+md.inline.ruler.before('escape', 'told', inline('told', /\{\{((?:[^{}\\]|\\.)+)\}\}(?=(\s?[°%])?)/y));
 
 const rules = md.renderer.rules;
 rules.math = (tokens, i, _, page) => page.formulas.set(page.fill(tokens[i].content), false);
-rules.told = (tokens, i, _, page) => page.refer(tokens[i].content.replaceAll('\\|', '|').trim());
+rules.told = (tokens, i, _, page) => page.refer(tokens[i].content.replaceAll('\\|', '|').trim(), tokens[i].meta);
 rules.told_block = (tokens, i, _, page) => (tokens[i].info === 'table' ? page.table(tokens[i].content) : page.collected(tokens[i].content));
 rules.formula = (tokens, i, _, page) => page.equation(tokens[i].content);
 rules.division = (tokens, i, _, page) => page.division(tokens[i].info.trim(), tokens[i].content);
-rules.table_open = () => '<div class="table" tabindex="0" role="group" aria-label="Table">\n<table>\n';
+rules.table_open = () => '<div class="table words" tabindex="0" role="group" aria-label="Table">\n<table>\n';
 rules.table_close = () => '</table>\n</div>\n';
-rules.code_inline = (tokens, i) => `<code>${escape(tokens[i].content)}</code>`;
+rules.code_inline = (tokens, i) => `<code${tokens[i].content.length < 30 ? ' class="whole"' : ''}>${escape(tokens[i].content)}</code>`;
 rules.heading_open = (tokens, i) => `<${tokens[i].tag} id="${slug(tokens[i + 1].content)}">`;
 rules.fence = (tokens, i) => `<pre class="code" tabindex="0"><code>${escape(tokens[i].content)}</code></pre>\n`;
 
@@ -120,16 +120,20 @@ export class Page {
   /** Told values inside mathematics. */
   fill(tex) {
     this.within = tex;
-    return tex.replace(/\{\{([^{}]+)\}\}/g, (_, what) => {
-      const [name, spec] = what.split('|').map((s) => s.trim());
-      const number = format(this.value(name), spec);
-      if (!number) throw new Error(`no format |${spec} in {{${what}}}`);
-      return `{${asTeX(number)}}`;
-    });
+    return tex.replace(/\{\{([^{}]+)\}\}(?=(°|\^\\circ|(?:\\,)?\\%)?)/g, (_, what, sign) => `{${asTeX(this.number(what, sign).number)}}`);
+  }
+
+  /** What `name|format` stands for; without its sign (° or %) where the sign is written behind it. */
+  number(what, sign) {
+    const [name, spec] = what.split('|').map((s) => s.trim());
+    const value = this.value(name);
+    const number = format(value, spec);
+    if (!number) throw new Error(`no format |${spec} in {{${what}}}`);
+    return { value, number: sign ? { ...number, suffix: '' } : number };
   }
 
   /** {{...}} in a line of prose. */
-  refer(written) {
+  refer(written, sign) {
     this.within = written;
     const what = written.replace(/\s+/g, ' ');
     const [, kind, rest] = /^(eq|sec|api) +(.+)$/.exec(what) ?? [];
@@ -143,10 +147,7 @@ export class Page {
       const prefix = id ? `${this.nameOf(id)} ` : '';
       return `<a class="eqref" href="${id ? `${target.name}.html` : ''}#eq-${number}">${prefix}(${number})</a>`;
     }
-    const [name, spec] = what.split('|').map((s) => s.trim());
-    const value = this.value(name);
-    const number = format(value, spec);
-    if (!number) throw new Error(`no format |${spec} in {{${what}}}`);
+    const { value, number } = this.number(what, sign);
     const title = `${value.full} = ${value.text ?? value.value}${value.unit ? ` ${value.unit}` : ''}: ${value.meaning}`;
     return `<data value="${escape(value.text ?? value.value)}" title="${escape(title)}">${escape(asText(number))}</data>`;
   }

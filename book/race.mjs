@@ -14,15 +14,10 @@ const floor = 1e-17; // where an error of nothing is drawn
 const front = (points) => [...points].sort((a, b) => a.seconds - b.seconds || a.error - b.error)
   .filter((p, i, all) => all.slice(0, i).every((q) => q.error > p.error));
 
-/** Heights for the names, so that those near each other in both directions do not overlap. */
-function spread(points) {
-  const placed = [];
-  for (const p of [...points].sort((a, b) => a.error - b.error)) {
-    let height = Math.log10(p.error);
-    for (const q of [...placed].sort((a, b) => a.height - b.height))
-      if (Math.abs(Math.log10(p.seconds / q.seconds)) < 1.3 && Math.abs(q.height - height) < 0.85) height = q.height + 0.85;
-    placed.push({ ...p, height });
-  }
+/** Heights at the right edge for the names, in the order of the errors, `apart` decades at least. */
+function spread(points, apart) {
+  const placed = [...points].sort((a, b) => a.error - b.error || a.seconds - b.seconds).map((p) => ({ ...p, height: Math.log10(p.error) }));
+  placed.forEach((p, i) => { if (i && p.height < placed[i - 1].height + apart) p.height = placed[i - 1].height + apart; });
   return placed;
 }
 
@@ -34,13 +29,16 @@ for (const race of told.races) {
   });
   if (!points.length) continue;
   const families = [...new Set(points.map((p) => p.family).filter(Boolean))];
+  const decades = (key, digits) => [Math.floor(Math.min(...points.map((p) => Math.log10(p[key]))) - digits), Math.ceil(Math.max(...points.map((p) => Math.log10(p[key]))) + digits)];
+  const [left, right] = decades('seconds', 0.05);
+  const [low, high] = decades('error', 0.3);
   const block = (list) => `name\tseconds\terror\theight\n${list.map((p) => `${p.name}\t${p.seconds}\t${p.error}\t${10 ** (p.height ?? 0)}\n`).join('')}`;
-  const labelled = spread(points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)));
+  const labelled = spread(points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)), (high - low) / 15);
   const data = path.join(build, `told/${program}.race-${race.name}.tsv`);
   fs.writeFileSync(data, [points, front(points), labelled, ...families.map((f) => points.filter((p) => p.family === f))].map(block).join('\n\n'));
   const out = path.join(build, `drawn/${program}.race-${race.name}.svg`);
   fs.mkdirSync(path.dirname(out), { recursive: true });
-  const run = spawnSync(gnuplot, ['-e', `data='${path.dirname(data)}'; race='${path.basename(data, '.tsv')}'; families=${families.length}; out='${out}'`,
+  const run = spawnSync(gnuplot, ['-e', `data='${path.dirname(data)}'; race='${path.basename(data, '.tsv')}'; families=${families.length}; left=1e${left}; right=1e${right}; low=1e${low}; high=1e${high}; out='${out}'`,
     'figures/race.gp'], { cwd: source, encoding: 'utf8' });
   if (run.status !== 0 || run.stderr) throw new Error(`figures/race.gp: ${run.stderr}`);
 }

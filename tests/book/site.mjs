@@ -113,7 +113,7 @@ const ask = async (words) => {
   await page.waitForFunction(() => document.getElementById('found').textContent);
   return page.$$eval('#results a', (all) => all.map((a) => a.getAttribute('href')));
 };
-if (!(await ask('collected apparatus')).includes('apparatus.html')) faults.push('the search does not find the apparatus');
+if (!(await ask('apparatus')).includes('apparatus.html')) faults.push('the search does not find the apparatus');
 const [today, old] = [await ask('curve given'), await ask('curue giuen')];
 if (!today.length || String(today) !== String(old)) faults.push(`the search takes u for v no more: ${today} against ${old}`);
 if ((await ask('zzyzx')).length) faults.push('the search finds what is not there');

@@ -192,6 +192,19 @@ test('numbers are rounded on their decimals and written as prose and as mathemat
   assert.equal(format({ value: 1, unit: '' }, 'x'), null);
 });
 
+test('the sign of a told angle or percentage stands once', () => {
+  const { status, stderr, page } = weave((files) => {
+    files.replace('pendulum-11.json', '"values":[', '"values":[{"name":"angle","value":12.5,"unit":"°","meaning":"an angle"},{"name":"part","value":0.125,"unit":"","meaning":"a part"},');
+    files.replace('s11.cpp', 'It is {{half|f2}}.', 'It is {{angle}}, {{angle|f2}}°, ${{angle}}^\\circ$ and {{part|percent1}}.');
+  });
+  assert.equal(stderr, '');
+  assert.equal(status, 0);
+  const text = page().replace(/<annotation[^]*?<\/annotation>|<[^>]+>/g, '');
+  assert.match(text, /It is 12\.5°, 12\.50°, /);
+  assert.match(text, /and 12\.5 %\./);
+  assert.doesNotMatch(page(), /circ\}?\^/);
+});
+
 test('a section\'s file comes apart at its seams', () => {
   const kinds = blocks(section, 's11.cpp').map((b) => b.kind);
   assert.deepEqual(kinds, ['prose', 'code', 'TELL', 'prose', 'check', 'Erratum']);
