@@ -12,25 +12,30 @@ The lemma of {{sec pendulum.18}} is put to work. The terms of the series need th
 the odd powers of the sine, so $n$ is even. For $n = 2$ the lemma ends at once in the logarithm, as
 {{sec pendulum.17}} already found,
 
-$$ \int_\alpha\frac{d\omega}{\sin^3\omega} = \frac{\cos\alpha}{2\sin^2\alpha} - \frac{\cos\omega}{2\sin^2\omega}
+$$ \int_\alpha\frac{d\omega}{\sin^3\omega} = \frac{\cos\alpha}{2\sin^2\alpha} -
+     \frac{\cos\omega}{2\sin^2\omega}
    + \frac12\,l\,\frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}, \tag{1} $$
 
 and each further one stands on the one before. For the third term of the series $n = 4$,
 
-$$ \int_\alpha\frac{d\omega}{\sin^5\omega} = \frac{\cos\alpha}{4\sin^4\alpha} - \frac{\cos\omega}{4\sin^4\omega}
+$$ \int_\alpha\frac{d\omega}{\sin^5\omega} = \frac{\cos\alpha}{4\sin^4\alpha} -
+     \frac{\cos\omega}{4\sin^4\omega}
    + \frac34\int_\alpha\frac{d\omega}{\sin^3\omega}, \tag{2} $$
 
 for the fourth $n = 6$, for the fifth $n = 8$,
 
-$$ \int_\alpha\frac{d\omega}{\sin^7\omega} = \frac{\cos\alpha}{6\sin^6\alpha} - \frac{\cos\omega}{6\sin^6\omega}
+$$ \int_\alpha\frac{d\omega}{\sin^7\omega} = \frac{\cos\alpha}{6\sin^6\alpha} -
+     \frac{\cos\omega}{6\sin^6\omega}
    + \frac56\int_\alpha\frac{d\omega}{\sin^5\omega}, \tag{3} $$
 
-$$ \int_\alpha\frac{d\omega}{\sin^9\omega} = \frac{\cos\alpha}{8\sin^8\alpha} - \frac{\cos\omega}{8\sin^8\omega}
+$$ \int_\alpha\frac{d\omega}{\sin^9\omega} = \frac{\cos\alpha}{8\sin^8\alpha} -
+     \frac{\cos\omega}{8\sin^8\omega}
    + \frac78\int_\alpha\frac{d\omega}{\sin^7\omega}, \tag{4} $$
 
 and so on; with $n = 10$ he writes one more,
 
-$$ \int_\alpha\frac{d\omega}{\sin^{11}\omega} = \frac{\cos\alpha}{10\sin^{10}\alpha} - \frac{\cos\omega}{10\sin^{10}\omega}
+$$ \int_\alpha\frac{d\omega}{\sin^{11}\omega} = \frac{\cos\alpha}{10\sin^{10}\alpha} -
+     \frac{\cos\omega}{10\sin^{10}\omega}
    + \frac9{10}\int_\alpha\frac{d\omega}{\sin^9\omega}, \qquad \text{etc.} \tag{5} $$
 
 ## The program
@@ -67,7 +72,8 @@ TELL
 {
   require(omega > alpha, "omega", "greater than alpha");
   const auto integrals = ladder<double>(alpha, omega);
-  require(std::isfinite(integrals.back()), "alpha", "an angle whose sine has a tenth power that a double can hold");
+  require(std::isfinite(integrals.back()), "alpha",
+      "an angle whose sine has a tenth power that a double can hold");
   tell("logarithm", integrals[0], "of dω/sin ω, the logarithm on which all stand");
   auto& rungs = table("rungs", "The five rungs, each made of two ends and of the rung below it.",
                       {{"n", "n"}, {"start", "cos α/(n sinⁿα)"}, {"end", "− cos ω/(n sinⁿω)"},
@@ -126,7 +132,8 @@ CHECK_THAT("every rung is the integral that it is said to be")
   {
     const auto integrals = ladder(Fifty(from), Fifty(to));
     for(std::size_t i = 0; i < 6; ++i)
-      CHECK(integrals[i] == within_relative(quadrature(2 * static_cast<int>(i) + 1, from, to), 1e-38, "the quadrature"));
+      CHECK(integrals[i] == within_relative(quadrature(2 * static_cast<int>(i) + 1, from, to), 1e-38,
+            "the quadrature"));
   }
 }
 
@@ -135,7 +142,8 @@ CHECK_THAT("in double the ladder keeps its digits where the ends are far apart")
   const auto integrals = ladder(30_deg, 75_deg);
   const auto truth = ladder(Fifty(30_deg), Fifty(75_deg));
   for(std::size_t i = 0; i < 6; ++i)
-    CHECK(integrals[i] == within_ulps(truth[i], 16, "a power of a rounded sine, eleven half ulps, and the sum"));
+    CHECK(integrals[i] == within_ulps(truth[i], 16,
+          "a power of a rounded sine, eleven half ulps, and the sum"));
 }
 
 CHECK_THAT("the higher the power, the sooner the integral is nearly complete")

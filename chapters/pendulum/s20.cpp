@@ -18,25 +18,31 @@ become
 
 $$ \int_\alpha^{90°}\frac{d\omega}{\sin\omega} = l\cot\tfrac12\alpha, \tag{1} $$
 
-$$ \int_\alpha^{90°}\frac{d\omega}{\sin^3\omega} = \frac{\cos\alpha}{2\sin^2\alpha} + \frac12\,l\cot\tfrac12\alpha, \tag{2} $$
+$$ \int_\alpha^{90°}\frac{d\omega}{\sin^3\omega} = \frac{\cos\alpha}{2\sin^2\alpha} +
+     \frac12\,l\cot\tfrac12\alpha, \tag{2} $$
 
-$$ \int_\alpha^{90°}\frac{d\omega}{\sin^5\omega} = \frac{\cos\alpha}{4\sin^4\alpha} + \frac{3\cos\alpha}{2\cdot4\sin^2\alpha}
+$$ \int_\alpha^{90°}\frac{d\omega}{\sin^5\omega} = \frac{\cos\alpha}{4\sin^4\alpha} +
+     \frac{3\cos\alpha}{2\cdot4\sin^2\alpha}
    + \frac{1\cdot3}{2\cdot4}\,l\cot\tfrac12\alpha, \tag{3} $$
 
-$$ \int_\alpha^{90°}\frac{d\omega}{\sin^7\omega} = \frac{\cos\alpha}{6\sin^6\alpha} + \frac{5\cos\alpha}{4\cdot6\sin^4\alpha}
-   + \frac{3\cdot5\cos\alpha}{2\cdot4\cdot6\sin^2\alpha} + \frac{1\cdot3\cdot5}{2\cdot4\cdot6}\,l\cot\tfrac12\alpha, \tag{4} $$
+$$ \int_\alpha^{90°}\frac{d\omega}{\sin^7\omega} = \frac{\cos\alpha}{6\sin^6\alpha} +
+     \frac{5\cos\alpha}{4\cdot6\sin^4\alpha}
+   + \frac{3\cdot5\cos\alpha}{2\cdot4\cdot6\sin^2\alpha} +
+     \frac{1\cdot3\cdot5}{2\cdot4\cdot6}\,l\cot\tfrac12\alpha, \tag{4} $$
 
 $$ \begin{aligned} \int_\alpha^{90°}\frac{d\omega}{\sin^9\omega} = \frac{\cos\alpha}{8\sin^8\alpha}
    &+ \frac{7\cos\alpha}{6\cdot8\sin^6\alpha} + \frac{5\cdot7\cos\alpha}{4\cdot6\cdot8\sin^4\alpha} \\
    &+ \frac{3\cdot5\cdot7\cos\alpha}{2\cdot4\cdot6\cdot8\sin^2\alpha}
-   + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}\,l\cot\tfrac12\alpha, \qquad\text{etc.} \end{aligned} \tag{5} $$
+   + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}\,l\cot\tfrac12\alpha, \qquad\text{etc.} \end{aligned}
+     \tag{5} $$
 
 ## The program
 
 The law is easily read off. With $a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots2n}$, the product under the
 last term,
 
-$$ \int_\alpha^{90°}\frac{d\omega}{\sin^{2m+1}\omega} = \cos\alpha\sum_{i=1}^{m}\frac{a_m}{a_i}\cdot\frac{1}{2i\,\sin^{2i}\alpha}
+$$ \int_\alpha^{90°}\frac{d\omega}{\sin^{2m+1}\omega} =
+     \cos\alpha\sum_{i=1}^{m}\frac{a_m}{a_i}\cdot\frac{1}{2i\,\sin^{2i}\alpha}
    + a_m\,l\cot\tfrac12\alpha. \tag{6} $$
 
 ::: margin
@@ -84,7 +90,8 @@ TELL
   tell("log_of_integral", std::log10(written_out<double>(m, alpha)) - 2 * m * std::log10(std::sin(alpha)),
        "common logarithm of the integral itself");
   auto& pieces = table("pieces", "The coefficients of (1) to (5), in lowest terms.",
-                       {{"power", "power"}, {"s8", "cos α/sin⁸α"}, {"s6", "cos α/sin⁶α"}, {"s4", "cos α/sin⁴α"},
+                       {{"power", "power"}, {"s8", "cos α/sin⁸α"}, {"s6", "cos α/sin⁶α"},
+                        {"s4", "cos α/sin⁴α"},
                         {"s2", "cos α/sin²α"}, {"l", "l cot ½α"}});
   for(int row = 0; row <= 4; ++row)
   {
@@ -110,7 +117,8 @@ TELL
       const double whole = scaled_integral(4, a);
       std::vector<double> row{degrees_};
       for(int i = 4; i > 0; --i)
-        row.push_back(static_cast<double>(coefficient(4, i)) * std::cos(a) * std::pow(std::sin(a), 8 - 2 * i));
+        row.push_back(static_cast<double>(coefficient(4, i)) * std::cos(a) * std::pow(std::sin(a), 8
+            - 2 * i));
       row.push_back(35.0 / 128 * std::pow(std::sin(a), 8) * log_cot_half(a));
       for(std::size_t i = 1; i < row.size(); ++i)
         row[i] /= whole;
@@ -172,7 +180,8 @@ CHECK_THAT("the law gives the coefficients that he writes")
 CHECK_THAT("adding up the pieces and the recurrence agree to the last digits for the 1001st power too")
 {
   for(const double from : {1e-300, 1e-3, 0.1, 1.0})
-    CHECK(written_out(500, from) == within_ulps(scaled_integral(500, Fifty(from)), 3 / std::pow(std::cos(from), 2),
+    CHECK(written_out(500, from) == within_ulps(scaled_integral(500, Fifty(from)),
+          3 / std::pow(std::cos(from), 2),
                                                 "the bound of the recurrence: the same steps, backwards"));
 }
 
@@ -198,11 +207,13 @@ double power(int k) { return std::pow(S, k); }
 
 bool is_integral(double reading, int k)
 {
-  return reading == within_relative(quadrature(k, 30_deg) / pow(sin(Fifty(30_deg)), k - 1), 1e-14, "few roundings");
+  return reading == within_relative(quadrature(k, 30_deg) / pow(sin(Fifty(30_deg)), k - 1), 1e-14,
+      "few roundings");
 }
 
 const Emendation logarithm{
-    "§20, all lines", {"∫ cot ½α", 2 * std::log(std::sin(15_deg))}, {"l cot ½α", L}, "(1) is the first term of §16",
+    "§20, all lines", {"∫ cot ½α", 2 * std::log(std::sin(15_deg))}, {"l cot ½α", L},
+    "(1) is the first term of §16",
     [](double reading) { return is_integral(reading, 1); }};
 
 const Emendation fifth{
@@ -220,7 +231,7 @@ const Emendation seventh{
     "§19, n = 6, with (3) put into it", [](double reading) { return is_integral(reading, 7); }};
 
 const Emendation ninth{
-    "§20, (5)", {"sin²α, (sin³α)², (sin⁵α)², (sin⁷α)²; 8·8, 2·4·6 and 2·4·6·8 below, and 1 above the logarithm",
+    "§20, (5)", {"sin²α, (sin³α)², (sin⁵α)², (sin⁷α)²; 8·8, 2·4·6 and 2·4·6·8 below, 1 above the logarithm",
                  C / (8 * power(2)) + 7 * C / (64 * power(6)) + 35 * C / (48 * power(10))
                      + 105 * C / (384 * power(14)) + L / 384},
     {"sin⁸α, sin⁶α, sin⁴α, sin²α; 6·8, 4·6·8, 2·4·6·8; 1·3·5·7",

@@ -12,7 +12,8 @@ using pendulum::sum_by_columns, pendulum::sum_by_rows, pendulum::sum_with_one_lo
 
 Now the integrals of {{sec pendulum.20}} go into the series for the time,
 
-$$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega} + \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
+$$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega} +
+     \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
    + \frac{1\cdot3}{2\cdot4}\cdot\frac{\sin^4\alpha}{\sin^5\omega} + \text{etc.}\right). \tag{1} $$
 
 Each of its terms becomes a row, and what has the same power of $\sin\alpha$ he sets in one column. For the
@@ -22,10 +23,12 @@ $$ \def\arraystretch{1.7} \frac{t\sqrt{2g}}{\sqrt b} = \left\{ \begin{array}{lll
    \phantom{+\ } L \\
    + \frac{1^2}{2^2} S^2 L &{}+ \frac{1^2}{2^2} C \\
    + \frac{1^2 3^2}{2^2 4^2} S^4 L &{}+ \frac{1\cdot3}{2\cdot4^2} C &{}+ \frac{1\cdot3^2}{2^2 4^2} C S^2 \\
-   + \frac{1^2 3^2 5^2}{2^2 4^2 6^2} S^6 L &{}+ \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2} C &{}+ \frac{1\cdot3\cdot5^2}{2\cdot4^2 6^2} C S^2
+   + \frac{1^2 3^2 5^2}{2^2 4^2 6^2} S^6 L &{}+ \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2} C &{}+
+     \frac{1\cdot3\cdot5^2}{2\cdot4^2 6^2} C S^2
      &{}+ \frac{1\cdot3^2 5^2}{2^2 4^2 6^2} C S^4 \\
    + \frac{1^2 3^2 5^2 7^2}{2^2 4^2 6^2 8^2} S^8 L &{}+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2} C
-     &{}+ \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2 8^2} C S^2 &{}+ \frac{1\cdot3\cdot5^2 7^2}{2\cdot4^2 6^2 8^2} C S^4
+     &{}+ \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2 8^2} C S^2 &{}+ \frac{1\cdot3\cdot5^2 7^2}{2\cdot4^2
+     6^2 8^2} C S^4
      &{}+ \frac{1\cdot3^2 5^2 7^2}{2^2 4^2 6^2 8^2} C S^6 \\
    \text{etc.} \end{array} \right. \tag{2} $$
 
@@ -186,9 +189,11 @@ CHECK_THAT("by columns, and in one column, the array sums to K(cos α)")
   for(const double alpha : {1e-300, 1e-3, 2.5_deg, 30_deg, 45_deg, 1.0})
   {
     const Fifty exact = ratio_by_mean(Fifty(2 * alpha)) * exact::pi() / 2;
-    CHECK(sum_by_columns(Fifty(alpha), 330) == within_relative(exact, 1e-44, "at 1 rad sin²α to the 330th is 10⁻⁴⁹"));
+    CHECK(sum_by_columns(Fifty(alpha), 330)
+          == within_relative(exact, 1e-44, "at 1 rad sin²α to the 330th is 10⁻⁴⁹"));
     CHECK(sum_with_one_logarithm(Fifty(alpha), 330) == within_relative(exact, 1e-44, "the same"));
-    CHECK(sum_by_columns(alpha, 120) == within_ulps(exact, 4, "a logarithm, the mean, and a short polynomial"));
+    CHECK(sum_by_columns(alpha, 120)
+          == within_ulps(exact, 4, "a logarithm, the mean, and a short polynomial"));
   }
 }
 
@@ -206,7 +211,8 @@ CHECK_THAT("by rows what is missing falls like 1/√(πm), however small α is")
 CHECK_THAT("five hundred rows add up in double as they do in fifty digits")
 {
   for(const double alpha : {1e-3, 1e-2, 0.1, 0.3, 1.0})
-    CHECK(sum_by_rows(alpha, 500) == within_ulps(sum_by_rows(Fifty(alpha), 500), 16, "falling terms, all positive"));
+    CHECK(sum_by_rows(alpha, 500) == within_ulps(sum_by_rows(Fifty(alpha), 500), 16,
+          "falling terms, all positive"));
 }
 
 CHECK_THAT("near 90° all sits in the columns, and the time still comes out")
@@ -217,9 +223,9 @@ CHECK_THAT("near 90° all sits in the columns, and the time still comes out")
 }
 
 /*!
-Four readings. In the differential the scan has put $\sin\omega$ for $\sin\alpha$ above; under it the letter z
-for the digit 2; and in the array the integral sign for the letter $l$. (A third power of 1 in the fifth row
-may stand: it changes nothing.)
+Readings. In the differential the scan has put $\sin\omega$ for $\sin\alpha$ above; under the root on the left
+the letter z for the digit 2; and in the array the integral sign for the letter $l$. (On the left a bare $d$
+and a 1 stand for $dt$ and $t$; and a third power of 1 in the fifth row may stay, since it changes nothing.)
 */
 
 double three_terms(double above)  // of (1), with α = 2½°, ω = 5°, and `above` for the sine above
@@ -244,10 +250,13 @@ const Emendation acceleration{
     [](double acceleration_over_g) { return acceleration_over_g / 2 == 1.0; }};
 
 const Emendation logarithm{
-    "§21, the first column", {"∫ cot ½α", 2 * std::log(std::sin(1.25_deg))}, {"l cot ½α", log_cot_half(2.5_deg)},
+    "§21, the first column", {"∫ cot ½α", 2 * std::log(std::sin(1.25_deg))},
+    {"l cot ½α", log_cot_half(2.5_deg)},
     "the first column is the integral of dω/sin ω and its multiples",
     [](double l) {
-      const double columns_without = sum_by_columns(2.5_deg, 6) - log_cot_half(2.5_deg) * ratio_by_mean(175_deg);
+      const double columns_without = sum_by_columns(2.5_deg, 6)
+          - log_cot_half(2.5_deg) * ratio_by_mean(175_deg);
       return columns_without + l * ratio_by_mean(175_deg)
-          == within(swing::quarter_time_from_top(5_deg), 1e-14, "six columns leave 10⁻¹⁷, and a few roundings");
+          == within(swing::quarter_time_from_top(5_deg), 1e-14,
+              "six columns leave 10⁻¹⁷, and a few roundings");
     }};

@@ -16,8 +16,10 @@ using pendulum::D;
 The terms of the second column of {{sec pendulum.21}} have nothing but $\cos\alpha$ in common, and it stands
 before this infinite series:
 
-$$ \frac1{2^2} + \frac{1\cdot3}{2\cdot4^2} + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2} + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}
-   + \frac{1\cdot3\cdots9}{2\cdot4\cdots8\cdot10^2} + \frac{1\cdot3\cdots11}{2\cdot4\cdots10\cdot12^2} + \text{etc.} \tag{1} $$
+$$ \frac1{2^2} + \frac{1\cdot3}{2\cdot4^2} + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2} +
+     \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}
+   + \frac{1\cdot3\cdots9}{2\cdot4\cdots8\cdot10^2} + \frac{1\cdot3\cdots11}{2\cdot4\cdots10\cdot12^2} +
+     \text{etc.} \tag{1} $$
 
 To sum it he goes back to a series that everybody knows,
 
@@ -26,13 +28,15 @@ $$ \frac1{\sqrt{1-vv}} = 1 + \frac12vv + \frac{1\cdot3}{2\cdot4}v^4 + \frac{1\cd
 
 Divided by $v$, multiplied by $dv$ and integrated it gets just the denominators that are wanted,
 
-$$ \int\frac{dv}{v\sqrt{1-vv}} = lv + \frac1{2^2}vv + \frac{1\cdot3}{2\cdot4^2}v^4 + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6
+$$ \int\frac{dv}{v\sqrt{1-vv}} = lv + \frac1{2^2}vv + \frac{1\cdot3}{2\cdot4^2}v^4 +
+     \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6
    + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8 + \text{etc.}, \tag{3} $$
 
 so that the sum is $\int\frac{dv}{v\sqrt{1-vv}} - lv$, when $v = 1$ is put after the integration. He calls the
 root $u$: then $vv = 1 - uu$, $2lv = l(1-uu)$, $\frac{dv}v = -\frac{u\,du}{1-uu}$, and
 
-$$ \int\frac{dv}{v\sqrt{1-vv}} = -\int\frac{du}{1-uu} = -\tfrac12\,l\,\frac{1+u}{1-u} = -l(1+u) + \tfrac12\,l(1-uu) + C. \tag{4} $$
+$$ \int\frac{dv}{v\sqrt{1-vv}} = -\int\frac{du}{1-uu} = -\tfrac12\,l\,\frac{1+u}{1-u} = -l(1+u) +
+     \tfrac12\,l(1-uu) + C. \tag{4} $$
 
 With the root put back, the last logarithm is $lv$, and it goes out:
 
@@ -40,7 +44,8 @@ $$ \int\frac{dv}{v\sqrt{1-vv}} - lv = C - l\left(1 + \sqrt{1-vv}\right). \tag{5}
 
 This must vanish with $v$, as the series does, so $C = l2$. And for $v = 1$ the sum of the series is known:
 
-$$ \frac1{2^2} + \frac{1\cdot3}{2\cdot4^2} + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2} + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}
+$$ \frac1{2^2} + \frac{1\cdot3}{2\cdot4^2} + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2} +
+     \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}
    + \text{etc.} = l2. \tag{6} $$
 
 So what was lacking of the time was not a quarter, as after two terms, but $l2\cdot\cos\alpha$.
@@ -204,7 +209,8 @@ CHECK_THAT("the bounds (7) hold")
     const Partial p = partial(1, n);
     const Fifty missing = exact::ln2() - Fifty(p.sum);
     CHECK(missing == between(p.a * (2 * n + 1) / (2 * n + 2), p.a, "(7)"));
-    CHECK(with_tail(n) == within(exact::ln2(), p.a / (9.0 * n * n), "the tail's next term is a tenth of a_N/NN"));
+    CHECK(with_tail(n) == within(exact::ln2(), p.a / (9.0 * n * n),
+          "the tail's next term is a tenth of a_N/NN"));
   }
 }
 
@@ -213,9 +219,11 @@ Readings of the scan, each tried at a point. In {{eq 3}} the first coefficient h
 powers are one too low; a minus sign has become a sign of equality; and in {{eq 4}} there is a $u$ too many.
 */
 
-double four_terms(double first, int above)  // (3) at v = ½, with this first coefficient and the powers 2, 3 + above, ...
+double four_terms(double first,
+    int above)  // (3) at v = ½, with this first coefficient and the powers 2, 3 + above, ...
 {
-  return std::log(0.5) + first / 4 + 3.0 / 32 * std::pow(0.5, 3 + above) + 15.0 / 288 * std::pow(0.5, 5 + above)
+  return std::log(0.5) + first / 4 + 3.0 / 32 * std::pow(0.5, 3 + above)
+      + 15.0 / 288 * std::pow(0.5, 5 + above)
          + 105.0 / 3072 * std::pow(0.5, 7 + above);
 }
 

@@ -12,23 +12,27 @@ using pendulum::D, pendulum::root_of, pendulum::V;
 When the descent begins a little farther from the top, the third column too may deserve some attention, whose
 terms contain $\cos\alpha\sin^2\alpha$. Before them stands the series
 
-$$ \frac{1\cdot3^2}{2^2\cdot4^2} + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2} + \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}
+$$ \frac{1\cdot3^2}{2^2\cdot4^2} + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2} +
+     \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}
    + \frac{1\cdot3\cdot5\cdot7\cdot9^2}{2\cdot4\cdot6\cdot8^2\cdot10^2} + \text{etc.}, \tag{1} $$
 
 and it can be summed without much trouble from what {{sec pendulum.22}} has found,
 
-$$ l2 - l\left(1+\sqrt{1-vv}\right) = \frac1{2^2}vv + \frac{1\cdot3}{2\cdot4^2}v^4 + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6
+$$ l2 - l\left(1+\sqrt{1-vv}\right) = \frac1{2^2}vv + \frac{1\cdot3}{2\cdot4^2}v^4 +
+     \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6
    + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8 + \text{etc.} \tag{2} $$
 
 The terms of {{eq 1}} have one odd factor more than these, squared above as well as below. Factors above come
 by differentiating. So he divides by $v$, which makes the powers odd,
 
-$$ \frac{l2}{v} - \frac{l\left(1+\sqrt{1-vv}\right)}{v} = \frac1{2^2}v + \frac{1\cdot3}{2\cdot4^2}v^3 + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^5
+$$ \frac{l2}{v} - \frac{l\left(1+\sqrt{1-vv}\right)}{v} = \frac1{2^2}v + \frac{1\cdot3}{2\cdot4^2}v^3 +
+     \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^5
    + \text{etc.}, \tag{3} $$
 
 and differentiates. On the left this gives, without the $dv$,
 
-$$ -\frac{l2}{vv} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right) + \frac1{\left(1+\sqrt{1-vv}\right)\sqrt{1-vv}}, \qquad
+$$ -\frac{l2}{vv} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right) + \frac1{\left(1+\sqrt{1-vv}\right)\sqrt{1-vv}},
+     \qquad
    \frac1{\left(1+\sqrt{1-vv}\right)\sqrt{1-vv}} = \frac1{vv\sqrt{1-vv}} - \frac1{vv}, \tag{4} $$
 
 so that the left side, for which the next section writes $V$, has three parts,
@@ -95,7 +99,8 @@ TELL
   tell("series", by_series(v, terms), "the series (6)");
   const double w = v;
   race("V", "V(v)", V(Fifty(w)), {{"three parts, (5)", [=] { return three_parts(w); }},
-                                  {"series (6)", [=, n = static_cast<int>(terms)] { return by_series(w, n); }},
+                                  {"series (6)", [=, n = static_cast<int>(terms)] { return by_series(w,
+                                   n); }},
                                   {"in one piece", [=] { return V(w); }}});
 }
 
@@ -140,7 +145,7 @@ Formal formal_root(int order)
   return sqrt(1 - x * x);
 }
 
-CHECK_THAT("the three parts are the derivative of (2) divided by v, coefficient by coefficient to the 40th power")
+CHECK_THAT("the three parts are the derivative of (3), coefficient by coefficient to the 40th power")
 {
   const Formal x = Formal::x(42);
   const Formal root = formal_root(42);
@@ -163,12 +168,14 @@ CHECK_THAT("V is the slope of D/v, sums the series, and keeps its digits everywh
     const Fifty slope = (D_over(Fifty(x) + h) - D_over(Fifty(x) - h)) / (2 * h);
     CHECK(V(Fifty(x)) == within_relative(slope, 1e-18, "the third derivative, at most 10⁵, times hh/6"));
     CHECK(three_parts(x) == within(V(Fifty(x)), 2e-15 / (x * x), "three parts, each at most 2/vv"));
-    CHECK(by_series(x, 400) == within_ulps(V(Fifty(x)), 100, "falling terms, all positive, at most 400 of them"));
+    CHECK(by_series(x, 400) == within_ulps(V(Fifty(x)), 100,
+          "falling terms, all positive, at most 400 of them"));
   }
   for(const double x : {1e-150, 1e-8, 1e-4, 1e-2, 0.3, 0.6, 0.9})
     CHECK(V(x) == within_ulps(V(Fifty(x)), 6, "the bound of the function"));
   CHECK(V(1.0, 1e-10) == within_ulps(V(Fifty(1), Fifty(1e-10)), 6, "the root given"));
-  CHECK(V(1.0, 1e-10) == within(Fifty("9999999998.30685281964005"), 2e-6, "1/u − 1 − l 2 + u, an ulp being 2e-6"));
+  CHECK(V(1.0, 1e-10) == within(Fifty("9999999998.30685281964005"), 2e-6,
+        "1/u − 1 − l 2 + u, an ulp being 2e-6"));
 }
 
 CHECK_THAT("the three parts lose all of it below v = 10⁻⁸")
@@ -183,7 +190,9 @@ $l2$ has become $l^2$, and a plus a minus; besides, a line of text stands there 
 at $v = 0{,}6$, the letter $l$ before a fraction being taken as its logarithm and $l^2$ as the square of $l2$.
 */
 
-const auto is_V = [](double reading) { return reading == within_relative(V(Fifty(0.6)), 1e-14, "three parts, near 5"); };
+const auto is_V = [](double reading) {
+  return reading == within_relative(V(Fifty(0.6)), 1e-14, "three parts, near 5");
+};
 
 double mended(double first, double third_factor)  // (5), with this above the first part and before the third
 {
@@ -194,7 +203,8 @@ const Emendation powers{
     "§23, (2)", {"v³, v⁵, v⁷", 0.09 + 3 * 0.216 / 32 + 15 * 0.07776 / 288 + 105 * 0.0279936 / 3072},
     {"v⁴, v⁶, v⁸", 0.09 + 3 * 0.1296 / 32 + 15 * 0.046656 / 288 + 105 * 0.01679616 / 3072},
     "the logarithm on the left, at v = 0,6",
-    [](double sum) { return sum == within(D(Fifty(0.6)), 3e-4, "the fifth term, 1.5e-4, and as much again"); }};
+    [](double sum) { return sum == within(D(Fifty(0.6)), 3e-4,
+        "the fifth term, 1.5e-4, and as much again"); }};
 
 const Emendation plus{
     "§23, (5), first part", {"−(1 − l 2)/vv", mended(-(1 - std::numbers::ln2), 1 / 0.36)},

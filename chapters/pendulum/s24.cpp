@@ -12,7 +12,8 @@ using pendulum::root_of, pendulum::V, pendulum::W;
 The series $V$ of {{sec pendulum.23}} has the right factors above; multiplied by $\frac{dv}{v}$ and integrated
 it gets the missing ones below as well,
 
-$$ \int\frac{V\,dv}{v} = \frac1{2^2}\,lv + \frac{1\cdot3^2}{2^2\cdot4^2}vv + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2}v^4
+$$ \int\frac{V\,dv}{v} = \frac1{2^2}\,lv + \frac{1\cdot3^2}{2^2\cdot4^2}vv +
+     \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2}v^4
    + \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}v^6 + \text{etc.} \tag{1} $$
 
 So the sum of the third column is $\int\frac{V\,dv}{v} - \frac14\,lv$, with 1 put for $v$. It remains to
@@ -22,7 +23,8 @@ $$ \int -\frac{dv}{v^3}\,(1 + l2) = \frac{1+l2}{2vv}, \tag{2} $$
 
 and the second
 
-$$ \int\frac{dv}{v^3\sqrt{1-vv}} = -\frac{\sqrt{1-vv}}{2vv} - \tfrac12\,l\left(1+\sqrt{1-vv}\right) + \tfrac12\,lv. \tag{3} $$
+$$ \int\frac{dv}{v^3\sqrt{1-vv}} = -\frac{\sqrt{1-vv}}{2vv} - \tfrac12\,l\left(1+\sqrt{1-vv}\right) +
+     \tfrac12\,lv. \tag{3} $$
 
 The third he reduces by the well-known rule for a product, and since the differential of $l(1+\sqrt{1-vv})$ is
 $-\frac{dv}{v}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}$,
@@ -32,11 +34,13 @@ $$ \int\frac{dv}{v^3}\,l\left(1+\sqrt{1-vv}\right) = -\frac{1}{2vv}\,l\left(1+\s
 
 The last integral is {{eq 3}} less that of $\frac{dv}{v^3}$. Therefore the third part is
 
-$$ -\frac1{2vv}\,l\left(1+\sqrt{1-vv}\right) + \frac{\sqrt{1-vv}}{4vv} + \tfrac14\,l\left(1+\sqrt{1-vv}\right) - \tfrac14\,lv - \frac1{4vv}, \tag{5} $$
+$$ -\frac1{2vv}\,l\left(1+\sqrt{1-vv}\right) + \frac{\sqrt{1-vv}}{4vv} +
+     \tfrac14\,l\left(1+\sqrt{1-vv}\right) - \tfrac14\,lv - \frac1{4vv}, \tag{5} $$
 
 and all parts together, with a constant that is still open,
 
-$$ \tfrac14\,lv + \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv} - \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right) + C. \tag{6} $$
+$$ \tfrac14\,lv + \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv} - \left(\frac14 + \frac1{2vv}\right)
+     l\left(1+\sqrt{1-vv}\right) + C. \tag{6} $$
 
 ::: margin
 The sum is wanted for $v = 1$ only, but for every other $v$ the same function gives the time of a descent that
@@ -166,7 +170,8 @@ CHECK_THAT("each part has the slope that it should have")
     CHECK(slope(part_1, x) == within_relative(-(1 + exact::ln2()) / cube, 1e-20, why));
     CHECK(slope(part_2, x) == within_relative(1 / (cube * root), 1e-20, why));
     CHECK(slope(part_3, x) == within_relative(log(1 + root) / cube, 1e-20, why));
-    CHECK(slope(collected, x) == within_relative((V(y) - Fifty(0.25)) / y, 1e-18, "the same; the parts nearly cancel"));
+    CHECK(slope(collected, x) == within_relative((V(y) - Fifty(0.25)) / y, 1e-18,
+          "the same; the parts nearly cancel"));
   }
 }
 
@@ -193,7 +198,8 @@ bool is_slope(double reading, Part part)
 }
 
 const Emendation factor{
-    "§24, (1), third term", {"2·3·5²/(2·4²·6²)", 150.0 / 1152}, {"1·3·5²/(2·4²·6²)", 75.0 / 1152}, "§23 has it",
+    "§24, (1), third term", {"2·3·5²/(2·4²·6²)", 150.0 / 1152}, {"1·3·5²/(2·4²·6²)", 75.0 / 1152},
+    "§23 has it",
     [](double coefficient) {
       return coefficient == within_ulps(static_cast<Fifty>(pendulum::entry(3, 1)), 1, "one division");
     }};
@@ -204,7 +210,8 @@ const Emendation first_cube{
     [](double integrand) { return is_slope(integrand, part_1<Fifty>); }};
 
 const Emendation second_cube{
-    "§24, (3), on both its places", {"dv/(v²√(1−vv))", 1 / (0.36 * 0.8)}, {"dv/(v³√(1−vv))", 1 / (0.216 * 0.8)},
+    "§24, (3), on both its places", {"dv/(v²√(1−vv))", 1 / (0.36 * 0.8)},
+    {"dv/(v³√(1−vv))", 1 / (0.216 * 0.8)},
     "the second part of V, over v", [](double integrand) { return is_slope(integrand, part_2<Fifty>); }};
 
 const Emendation differential{
@@ -225,7 +232,8 @@ bool is_part_3(double reading)
 const double rest_of_3 = 0.8 / 1.44 + L / 4 - std::log(0.6) / 4 - 1 / 1.44;
 
 const Emendation minus{
-    "§24, (5)", {"1/(2vv) l(1+√(1−vv))", L / 0.72 + rest_of_3}, {"−1/(2vv) l(1+√(1−vv))", -L / 0.72 + rest_of_3},
+    "§24, (5)", {"1/(2vv) l(1+√(1−vv))", L / 0.72 + rest_of_3},
+    {"−1/(2vv) l(1+√(1−vv))", -L / 0.72 + rest_of_3},
     "it comes from (4) with its minus", is_part_3};
 
 const double rest_of_all = -0.8 / 1.44 - (0.25 + 1 / 0.72) * L;

@@ -43,7 +43,8 @@ A first cure is to subtract the largest parts by hand: with $D = l2 - l(1+\sqrt{
 
 $$ W = -\frac14 + \frac{1}{4(1+u)} + \frac{D}{4} + \frac{D}{2vv}. \tag{2} $$
 
-Nothing is infinite any more, but the first, second and fourth member still cancel: the relative error, which before grew like $1/v^4$, now grows like $1/vv$.
+Nothing is infinite any more, but the first, second and fourth member still cancel: the relative error, which
+before grew like $1/v^4$, now grows like $1/vv$.
 */
 
 double once_reduced(double v)  // (2)
@@ -65,7 +66,8 @@ $$ W = \frac{q\left(\frac92 - q - qq\right) + R\left(1 + 2q(1-q)\right)}{8(1-q)}
 The smaller $v$ is, the more it shows.
 */
 
-const auto v = real("v", 1e-3, none, above_to(1e-150, 1), "the variable, which Euler conceives infinitely small");
+const auto v = real("v", 1e-3, none, above_to(1e-150, 1),
+    "the variable, which Euler conceives infinitely small");
 
 TELL
 {
@@ -147,7 +149,8 @@ CHECK_THAT("W keeps its digits from v = 10⁻¹⁵⁰ to 1")
 
 CHECK_THAT("the other two lose their digits like 1/v⁴ and 1/vv")
 {
-  const auto error = [](double got, double x) { return std::abs(static_cast<double>(got / W(Fifty(x)) - 1)); };
+  const auto error = [](double got,
+      double x) { return std::abs(static_cast<double>(got / W(Fifty(x)) - 1)); };
   for(const double x : {0x1p-8, 0x1p-10, 0x1p-12})  // of v⁴ error and vv error the worst in a neighbourhood
   {
     double stands = 0;
@@ -176,4 +179,5 @@ Of the left side of {{eq 1}} the scan has kept only the last two letters.
 const Emendation left{
     "§25, (1), left side", {"l v", std::log(0.6)}, {"∫V dv/v − ¼ l v", by_series(0.6)},
     "the right side, at v = 0,6, with the constant of §26",
-    [](double left) { return left == within(Fifty(as_it_stands(0.6)), 1e-15, "parts near 3 in sixteen digits"); }};
+    [](double left) { return left == within(Fifty(as_it_stands(0.6)), 1e-15,
+        "parts near 3 in sixteen digits"); }};

@@ -22,7 +22,8 @@ $$ l\left(1+\sqrt{1-vv}\right) = l\left(2 - \tfrac12vv\right) = l2 + l\left(1 - 
 so that $l\left(1+\sqrt{1-vv}\right) = l2 - \frac14vv$. With these put in, the expression that is to vanish
 takes the form
 
-$$ C + \frac{1+2l2}{4vv} - \frac1{4vv} + \frac18 - \left(\frac14 + \frac1{2vv}\right)\left(l2 - \tfrac14vv\right). \tag{3} $$
+$$ C + \frac{1+2l2}{4vv} - \frac1{4vv} + \frac18 - \left(\frac14 + \frac1{2vv}\right)\left(l2 -
+     \tfrac14vv\right). \tag{3} $$
 
 When the last member is multiplied out, everything that has $vv$ below goes out, what has $vv$ above is
 nothing, and there remains
@@ -78,7 +79,8 @@ TELL
   tell("exact", W(w), "what is left of the unabridged expression, §25");
   tell("root_error", static_cast<double>(-true_root / (4 * w * w) - root_member(w)), "what (1) leaves out");
   tell("log_error", static_cast<double>(log(1 + true_root) - logarithm(w)), "what (2) leaves out");
-  auto& approach = table("approach", "The expression (3), for smaller and smaller v: without C it goes to ¼ − ¼ l 2.",
+  auto& approach = table("approach",
+      "The expression (3), for smaller and smaller v: without C it goes to ¼ − ¼ l 2.",
                          {{"v", "v"}, {"without_C", "without C", none, 15}, {"with_C", "with C"}});
   for(const char* const small : {"0.1", "0.01", "0.001", "0.0001", "1e-7", "1e-10"})
   {
@@ -103,12 +105,13 @@ That nothing is wrong with conceiving $v$ infinitely small is seen when the seri
 Four times $vv$ times the expression is a power series in exact fractions, once $l2$ has been set apart; and
 apart from $l2$ it is
 
-$$ 1 - \sqrt{1-vv} - (2 + vv)\,l\,\tfrac12\left(1+\sqrt{1-vv}\right), \qquad\text{with } l2:\quad 2 - (2 + vv) = -vv. \tag{5} $$
+$$ 1 - \sqrt{1-vv} - (2 + vv)\,l\,\tfrac12\left(1+\sqrt{1-vv}\right), \qquad\text{with } l2:\quad 2 - (2 +
+     vv) = -vv. \tag{5} $$
 */
 
 using Formal = exact::Series<Rational>;
 
-CHECK_THAT("the parts with vv below destroy each other, ¼ is left, and then the entries of the third column follow")
+CHECK_THAT("the parts with vv below destroy each other, ¼ is left, and the third column follows")
 {
   const Formal vv = exact::pow(Formal::x(42), 2);
   const Formal root = sqrt(1 - vv);
@@ -125,8 +128,10 @@ CHECK_THAT("the two replacements are right as far as they go, and no farther")
   {
     const Fifty x(small);
     const Fifty root = sqrt(1 - x * x);
-    CHECK((-root / (4 * x * x) - root_member(x)) / (x * x) == within(Fifty(1) / 32, 2e-6, "the next term, vv/64"));
-    CHECK((log(1 + root) - logarithm(x)) / pow(x, 4) == within(-Fifty(3) / 32, 6e-6, "the next term, 5vv/96"));
+    CHECK((-root / (4 * x * x) - root_member(x)) / (x * x)
+          == within(Fifty(1) / 32, 2e-6, "the next term, vv/64"));
+    CHECK((log(1 + root) - logarithm(x)) / pow(x, 4)
+          == within(-Fifty(3) / 32, 6e-6, "the next term, 5vv/96"));
   }
 }
 
@@ -145,7 +150,7 @@ The scan has ¼ where ⅛ is needed, twice, and a plus before it; a ½ for the �
 put into {{eq 3}}.
 */
 
-double mended(double eighth, double of_logarithm)  // (3) at v = 0.01 with C, this for ⅛, and this vv in the logarithm
+double mended(double eighth, double of_logarithm)  // (3) at v = 0.01, with this for ⅛ and this for ¼
 {
   const double vv = 1e-4;
   return static_cast<double>(C) + (1 + 2 * std::numbers::ln2) / (4 * vv) - 1 / (4 * vv) + eighth
@@ -158,8 +163,11 @@ bool vanishes(double left)
 }
 
 const Emendation sign{
-    "§26, (1)", {"1/(4vv) + …", 25 + 0.125}, {"−1/(4vv) + …", -25 + 0.125}, "the member has a minus in §25 and in (3)",
-    [](double member) { return member == within(-std::sqrt(0.99) / 0.04, 4e-4, "vv/32 at v = 0,1, and more"); }};
+    "§26, (1)", {"1/(4vv) + …", 25 + 0.125}, {"−1/(4vv) + …", -25 + 0.125},
+    "the member has a minus in §25 and in (3)",
+    [](double member) {
+      return member == within(-std::sqrt(0.99) / 0.04, 4e-4, "vv/32 at v = 0,1, and more");
+    }};
 
 const Emendation eighth{
     "§26, (1) and (3)", {"+ ¼", mended(0.25, 0.25)}, {"+ ⅛", mended(0.125, 0.25)},
@@ -171,8 +179,9 @@ const Emendation quarter{
     [](double l) { return l == within(std::log(1 + std::sqrt(0.99)), 1e-5, "3/32 of v to the fourth"); }};
 
 const Emendation logarithm_of_two{
-    "§26, (3) and (4)", {"C = ¼ l² − ¼, taken as the square of l 2", std::pow(std::numbers::ln2, 2) / 4 - 0.25},
-    {"C = ¼ l 2 − ¼", std::numbers::ln2 / 4 - 0.25}, "it is the l 2 of §22, and only so the expression vanishes",
+    "§26, (3) and (4)", {"¼ l² − ¼, with the square of l 2", std::pow(std::numbers::ln2, 2) / 4 - 0.25},
+    {"¼ l 2 − ¼", std::numbers::ln2 / 4 - 0.25},
+    "it is the l 2 of §22, and only so the expression vanishes",
     [](double constant) {
       return static_cast<double>(expression(Fifty("1e-6"), Fifty(constant))) == within(0, 1e-12, "vv/16");
     }};

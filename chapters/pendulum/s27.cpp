@@ -18,7 +18,8 @@ $$ \int\frac{V\,dv}{v} - \tfrac14\,lv = \tfrac14\,l2 - \tfrac14 + \frac{1+2l2}{4
 
 and when 1 is put for $v$ the root vanishes, its logarithm with it, and the sum of the series appears,
 
-$$ \frac{1\cdot3^2}{2^2\cdot4^2} + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2} + \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}
+$$ \frac{1\cdot3^2}{2^2\cdot4^2} + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2} +
+     \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}
    + \text{etc.} = \tfrac14\,l2 - \tfrac14 + \tfrac14 + \tfrac12\,l2 = \tfrac34\,l2. \tag{2} $$
 
 So the whole third column of the array of {{sec pendulum.21}}, all of whose terms have the factor
@@ -87,7 +88,8 @@ TELL
   tell("sum", p.sum, "its first N terms");
   tell("with_remainder", p.sum + p.remainder, "with the lower bound of what is left, a_{N+1}");
   tell("column", third_column(alpha), "the third column, (3)");
-  tell("before", swing::quarter_time_from_top(2 * alpha) - m.first - m.second, "what t√(2g/b) lacked without it");
+  tell("before", swing::quarter_time_from_top(2 * alpha) - m.first - m.second,
+       "what t√(2g/b) lacked without it");
   tell("after", swing::quarter_time_from_top(2 * alpha) - m.sum(), "what it lacks with it");
 }
 
@@ -145,7 +147,8 @@ CHECK_THAT("so the series, with its remainder between the bounds, sums to ¾ l 2
     const Partial p = partial(N);
     const Fifty missing = exact::ln2() * 3 / 4 - Fifty(p.sum);
     const double width = p.remainder / (4.0 * (N + 1) * (N + 2));
-    CHECK(missing == between(p.remainder - 1e-14, p.remainder + width + 1e-14, "(4); and 10⁵ additions round"));
+    CHECK(missing == between(p.remainder - 1e-14, p.remainder + width + 1e-14,
+          "(4); and 10⁵ additions round"));
   }
 }
 
@@ -157,7 +160,8 @@ CHECK_THAT("with three columns the time lacks less than the fourth, sin⁴α tim
     const auto m = pendulum::three_members(alpha, 100);
     const Fifty missing = pendulum::ratio_by_mean(2 * alpha) * exact::pi() / 2 - m.sum();
     CHECK(m.third == within(third_column(alpha), 1e-48, "the same, written otherwise"));
-    CHECK(missing / pow(sin(alpha), 4) == between(0.4, 0.5, "§28: 0.436 at the least, and a little for the rest"));
+    CHECK(missing / pow(sin(alpha), 4)
+          == between(0.4, 0.5, "§28: 0.436 at the least, and a little for the rest"));
   }
 }
 
@@ -171,7 +175,8 @@ const Emendation three_quarters{
     "the sum lies between its bounds, and §32 takes the logarithm of ¾",
     [](double sum) {
       const Partial p = partial(4);
-      return sum == between(p.sum + p.remainder, p.sum + p.remainder * (1 + 1.0 / 120), "the bounds from (4)");
+      return sum == between(p.sum + p.remainder, p.sum + p.remainder * (1 + 1.0 / 120),
+          "the bounds from (4)");
     }};
 
 const Emendation root{

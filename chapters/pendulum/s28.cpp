@@ -66,7 +66,8 @@ TELL
                      {{"j", "j"}, {"beta", "β"}, {"rho", "ρ"}, {"S", "β l 2 − ρ", none, 15}});
   const auto S = exact_column_sums(columns);
   for(std::size_t j = 0; j < S.size() && j < 12; ++j)  // the fractions of the later ones fill lines
-    sums.row({1.0 * static_cast<double>(j), S[j].beta.str(), S[j].rho.str(), static_cast<double>(S[j].value())});
+    sums.row({1.0 * static_cast<double>(j), S[j].beta.str(), S[j].rho.str(),
+        static_cast<double>(S[j].value())});
   const auto fourth = exact_column_sums(3)[2];
   tell("beta", fourth.beta, "what stands before l 2 in the fourth column");
   tell("rho", fourth.rho, "and what is taken away");
@@ -75,7 +76,8 @@ TELL
   const Fifty alpha = Fifty(swing_.eta) / 2;
   const Fifty K = ratio_by_mean(2 * alpha) * exact::pi() / 2;
   tell("K", K, "t√(2g/b)");
-  tell("missing", static_cast<double>(K - sum_by_columns<Fifty>(alpha, columns)), "what the columns leave out");
+  tell("missing", static_cast<double>(K - sum_by_columns<Fifty>(alpha, columns)),
+       "what the columns leave out");
 }
 
 /*!
@@ -87,7 +89,8 @@ $$ \frac{C\,S_J\,x^J}{1 - x\,S_{J+1}/S_J} \quad\text{and}\quad \frac{S_J\,x^J}{C
 One can go further. The equation that gave {{eq 3}} also lets the whole array collapse into one column, when
 the logarithm is not taken of $\cot\frac12\alpha$ but of $\frac4{\sin\alpha}$:
 
-$$ K = \sum a_n^2\,x^n\left(l\,\frac4{\sin\alpha} - r_n\right), \qquad r_n = \frac2{1\cdot2} + \frac2{3\cdot4} + \cdots + \frac2{(2n-1)\,2n}. \tag{6} $$
+$$ K = \sum a_n^2\,x^n\left(l\,\frac4{\sin\alpha} - r_n\right), \qquad r_n = \frac2{1\cdot2} +
+     \frac2{3\cdot4} + \cdots + \frac2{(2n-1)\,2n}. \tag{6} $$
 
 ::: code pendulum/columns.hpp sum_with_one_logarithm
 :::
@@ -117,7 +120,8 @@ TELL
   for(const int J : {0, 1, 2, 3, 4, 6})
     ways.push_back({std::to_string(J) + " columns", [=] { return sum_by_columns(alpha, J); }, "columns"});
   for(const int n : {1, 2, 3, 4, 6})
-    ways.push_back({"(6), terms: " + std::to_string(n), [=] { return sum_with_one_logarithm(alpha, n); }, "one"});
+    ways.push_back({"(6), terms: " + std::to_string(n), [=] { return sum_with_one_logarithm(alpha, n); },
+                   "one"});
   ways.push_back({"arithmetic-geometric mean",
                   [=] { return ratio_by_mean(2 * alpha) * std::numbers::pi / 2; }});
   race("K", "t√(2g/b)", ratio_by_mean(Fifty(2 * alpha)) * exact::pi() / 2, ways);
@@ -245,7 +249,8 @@ CHECK_THAT("in double the recurrence loses little, and all sums fall as they sho
   const auto truth = column_sums<Fifty>(1001);
   for(const std::size_t j : {2u, 10u, 100u, 1000u})
   {
-    CHECK(S[j] == within_relative(truth[j], 1e-15 * static_cast<double>(j), "an error grows in proportion to j"));
+    CHECK(S[j] == within_relative(truth[j], 1e-15 * static_cast<double>(j),
+          "an error grows in proportion to j"));
     CHECK(S[j] < S[j - 1]);
   }
   const double law = std::sqrt(std::numbers::pi / 1000) / 2 - 1 / (1000 * std::numbers::pi);
@@ -259,10 +264,12 @@ not. And the scan has taken the limit for β, like the sum in {{sec pendulum.27}
 */
 
 const Erratum form{
-    "§28, the sum of the fourth column", {"β l 2, nothing taken away", 0.0}, {"β l 2 − 1/128, with β = 41/64", 1.0 / 128},
+    "§28, the sum of the fourth column", {"β l 2, nothing taken away", 0.0},
+    {"β l 2 − 1/128, with β = 41/64", 1.0 / 128},
     "the series, summed exactly, has a part without l 2, and l 2 is irrational",
     [](double rho) { return Rational::exactly(rho) == exact_column_sums(3)[2].rho; }};
 
 const Emendation limit{
-    "§28, β less than", {"¼", 0.25}, {"¾", 0.75}, "§27 has found ¾ for the third column, and the fourth has 0,63",
+    "§28, β less than", {"¼", 0.25}, {"¾", 0.75},
+    "§27 has found ¾ for the third column, and the fourth has 0,63",
     [](double bound) { return exact_column_sums(3)[2].value() < Fifty(bound) * exact::ln2(); }};
