@@ -7,16 +7,17 @@ SECTION(pendulum, 17, "The second term adds a quarter")
 /*!
 ## What Euler does
 
-In {{sec pendulum.15}} the time of the descent was developed into a series, and {{sec pendulum.16}} kept its
-first term. To see what the others amount to, he halves the angles once and for all: let
-$\tfrac12\psi = \omega$ and $\tfrac12\eta = \alpha$. The series becomes
+The second term of the series is integrated, and adds a quarter to the first. In {{sec pendulum.15}} the
+time of the descent was developed into a series, and {{sec pendulum.16}} kept its first term. To see what
+the others amount to, he halves the angles once and for all: let $\tfrac12\psi = \omega$ and
+$\tfrac12\eta = \alpha$. The series becomes
 
 $$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega} +
      \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
    + \frac{1\cdot3}{2\cdot4}\cdot\frac{\sin^4\alpha}{\sin^5\omega} + \text{etc.}\right), \tag{1} $$
 
-and its first term gives $l\,\dfrac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}$. For the
-second he needs the integral of $d\omega/\sin^3\omega$. He guesses its form and leaves two numbers open,
+and its first term gives $l\,\dfrac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}$. For
+the second he needs the integral of $d\omega/\sin^3\omega$. He guesses its form and leaves two numbers open,
 
 $$ \int\frac{d\omega}{\sin^3\omega} = \frac{A\cos\omega}{\sin^2\omega} + B\int\frac{d\omega}{\sin\omega}.
      \tag{2} $$
@@ -44,9 +45,9 @@ For the whole descent, $\omega = 90°$,
 $$ \frac{t\sqrt{2g}}{\sqrt b} = \left(1 + \tfrac14\sin^2\alpha\right) l\cot\tfrac12\alpha +
      \tfrac14\cos\alpha. \tag{6} $$
 
-And here is the surprise. The second term carries the factor $\sin^2\alpha$, as small as one likes, and yet it
-has added $\tfrac14\cos\alpha$, which is very nearly ¼ however small α is. That is a notable quantity; so much
-the more must the terms that follow be pursued.
+And here is the surprise. The second term carries the factor $\sin^2\alpha$, as small as one likes, and yet
+it has added $\tfrac14\cos\alpha$, which is very nearly ¼ however small α is. That is a notable quantity; so
+much the more must the terms that follow be pursued.
 
 ::: margin
 Close to the start $\sin\omega$ is hardly more than $\sin\alpha$, and there no term of (1) is smaller than
@@ -114,8 +115,8 @@ TELL
 }
 
 /*!
-The figure's data: what a step in the logarithm of ω contributes, so that equal areas are equal times. And the
-integral of the second term in three ways; the first is ruined by a start like `--psi 5.000001`.
+The figure's data: what a step in the logarithm of ω contributes, so that equal areas are equal times. And
+the integral of the second term in three ways; the first is ruined by a start like `--psi 5.000001`.
 */
 
 TELL
@@ -167,13 +168,14 @@ From {{eta}} below the top the two terms give {{both|7}}, of which {{second|4}} 
 are still missing.
 
 ::: figure pendulum-17
-alt: Contribution to the time against omega over alpha on a logarithmic scale. The exact curve comes down from
-infinity at 1 and soon lies on 1. Sums of one, two, three and ten terms begin at 1, 1.5, 1.9 and 3.5 and join
-the exact curve later or sooner.
+alt: Contribution to the time against omega over alpha on a logarithmic scale. The exact curve comes down
+from infinity at 1 and soon lies on 1. Sums of one, two, three and ten terms begin at 1, 1.5, 1.9 and 3.5
+and join the exact curve later or sooner.
 
-Where the time is spent, and what the terms of {{eq 1}} see of it, for $\alpha = 2\tfrac12°$; areas are times.
-All the terms are at work within the first few multiples of α, and none may be left out there: the pendulum is
-only just leaving the top, and even ten terms see little of the spike with which the exact curve begins.
+Where the time is spent, and what the terms of {{eq 1}} see of it, for $\alpha = 2\tfrac12°$; areas are
+times. All the terms are at work within the first few multiples of α, and none may be left out there: the
+pendulum is only just leaving the top, and even ten terms see little of the spike with which the exact curve
+begins.
 :::
 
 ## Checks
@@ -243,8 +245,8 @@ CHECK_THAT("just after the start (4) loses its digits, and (7) does not")
 }
 
 /*!
-With the second term as with the first, what is missing does not fade as η does. After the first it tended to
-$l2$; now it tends to $l2 - \tfrac14$.
+With the second term as with the first, what is missing does not fade as η does. After the first it tended
+to $l2$; now it tends to $l2 - \tfrac14$.
 */
 
 CHECK_THAT("near the top what two terms leave out tends to ln 2 − ¼")
@@ -257,9 +259,9 @@ CHECK_THAT("near the top what two terms leave out tends to ln 2 − ¼")
 }
 
 /*!
-The scan has lost the ½ before the second differential, though it is there in {{sec pendulum.15}} and again in
-the result; and it has mangled both results, which lack the $t$ on the left and the $l$ of the logarithm, and
-close the bracket in the wrong place.
+The scan has lost the ½ before the second differential, though it is there in {{sec pendulum.15}} and again
+in the result; and it has mangled both results, which lack the $t$ on the left and the $l$ of the logarithm,
+and close the bracket in the wrong place.
 */
 
 const Emendation half{

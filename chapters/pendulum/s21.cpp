@@ -10,7 +10,8 @@ using pendulum::sum_by_columns, pendulum::sum_by_rows, pendulum::sum_with_one_lo
 /*!
 ## What Euler does
 
-Now the integrals of {{sec pendulum.20}} go into the series for the time,
+All the integrals go into the series, and the time of the descent becomes an endless triangle of terms. Now
+the integrals of {{sec pendulum.20}} go into the series for the time,
 
 $$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega} +
      \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
@@ -48,7 +49,8 @@ times one of the series,
 
 $$ \frac{a_m^2}{2(m-j)\,a_{m-j}}, \qquad a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots2n}. \tag{3} $$
 
-A row is $a_m J_m$, with the scaled integrals of {{sec pendulum.18}}. So the array is added by rows like this:
+A row is $a_m J_m$, with the scaled integrals of {{sec pendulum.18}}. So the array is added by rows like
+this:
 
 ::: code pendulum/columns.hpp sum_by_rows
 :::
@@ -136,13 +138,13 @@ Of {{exact|9}}, five rows leave out {{rows_short|e2}}. The logarithmic column an
 {{columns_short|e2}}.
 
 ::: figure pendulum-21
-alt: What is missing against the number of rows or columns, both scales logarithmic. By rows, for both angles,
-it falls slowly along a line of slope minus one half. By columns it plunges, for 2.5 degrees by a factor of
-600 with every column, for 30 degrees by a factor of 4.
+alt: What is missing against the number of rows or columns, both scales logarithmic. By rows, for both
+angles, it falls slowly along a line of slope minus one half. By columns it plunges, for 2.5 degrees by a
+factor of 600 with every column, for 30 degrees by a factor of 4.
 
 What is still missing of the time, against how many rows or columns have been added, the logarithmic column
-counting as the first. By rows it falls like $1/\sqrt{\pi m}$, and a smaller α helps nothing; by columns every
-further one gains a factor $\sin^2\alpha$.
+counting as the first. By rows it falls like $1/\sqrt{\pi m}$, and a smaller α helps nothing; by columns
+every further one gains a factor $\sin^2\alpha$.
 :::
 
 ## Checks
@@ -223,9 +225,10 @@ CHECK_THAT("near 90° all sits in the columns, and the time still comes out")
 }
 
 /*!
-Readings. In the differential the scan has put $\sin\omega$ for $\sin\alpha$ above; under the root on the left
-the letter z for the digit 2; and in the array the integral sign for the letter $l$. (On the left a bare $d$
-and a 1 stand for $dt$ and $t$; and a third power of 1 in the fifth row may stay, since it changes nothing.)
+Readings. In the differential the scan has put $\sin\omega$ for $\sin\alpha$ above; under the root on the
+left the letter z for the digit 2; and in the array the integral sign for the letter $l$. (On the left a
+bare $d$ and a 1 stand for $dt$ and $t$; and a third power of 1 in the fifth row may stay, since it changes
+nothing.)
 */
 
 double three_terms(double above)  // of (1), with α = 2½°, ω = 5°, and `above` for the sine above

@@ -13,8 +13,8 @@ using pendulum::D;
 /*!
 ## What Euler does
 
-The terms of the second column of {{sec pendulum.21}} have nothing but $\cos\alpha$ in common, and it stands
-before this infinite series:
+The second column of the array sums to the logarithm of two. The terms of the second column of
+{{sec pendulum.21}} have nothing but $\cos\alpha$ in common, and it stands before this infinite series:
 
 $$ \frac1{2^2} + \frac{1\cdot3}{2\cdot4^2} + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2} +
      \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}
@@ -32,8 +32,8 @@ $$ \int\frac{dv}{v\sqrt{1-vv}} = lv + \frac1{2^2}vv + \frac{1\cdot3}{2\cdot4^2}v
      \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6
    + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8 + \text{etc.}, \tag{3} $$
 
-so that the sum is $\int\frac{dv}{v\sqrt{1-vv}} - lv$, when $v = 1$ is put after the integration. He calls the
-root $u$: then $vv = 1 - uu$, $2lv = l(1-uu)$, $\frac{dv}v = -\frac{u\,du}{1-uu}$, and
+so that the sum is $\int\frac{dv}{v\sqrt{1-vv}} - lv$, when $v = 1$ is put after the integration. He calls
+the root $u$: then $vv = 1 - uu$, $2lv = l(1-uu)$, $\frac{dv}v = -\frac{u\,du}{1-uu}$, and
 
 $$ \int\frac{dv}{v\sqrt{1-vv}} = -\int\frac{du}{1-uu} = -\tfrac12\,l\,\frac{1+u}{1-u} = -l(1+u) +
      \tfrac12\,l(1-uu) + C. \tag{4} $$
@@ -53,8 +53,9 @@ So what was lacking of the time was not a quarter, as after two terms, but $l2\c
 ## The program
 
 The function that he has found on the way will be wanted again and gets a name,
-$D(v) = l2 - l(1+\sqrt{1-vv})$. As it stands it loses everything when $v$ is small, since both logarithms are
-then the same. Nothing is lost when it is made one logarithm of $1 - q$, with $q = \frac12(1-\sqrt{1-vv})$:
+$D(v) = l2 - l(1+\sqrt{1-vv})$. As it stands it loses everything when $v$ is small, since both logarithms
+are then the same. Nothing is lost when it is made one logarithm of $1 - q$, with
+$q = \frac12(1-\sqrt{1-vv})$:
 
 ::: code pendulum/columns.hpp half_versine
 :::
@@ -96,8 +97,8 @@ double with_tail(int N)  // the sum, and (2a_N + a_{N+1})/3 for what is missing
 
 /*!
 Between the bounds the truth lies a third of the way down, the nearer the larger $N$ is; so the upper one
-should count twice in their mean. A modern peer: the transformation of Levin, which guesses the limit from the
-way in which the sums approach it.
+should count twice in their mean. A modern peer: the transformation of Levin, which guesses the limit from
+the way in which the sums approach it.
 */
 
 double by_levin(int terms)
@@ -158,14 +159,14 @@ The six terms that he writes make {{sum|6}}, and {{short_by|3}} is still to come
 the sum. To get fifteen digits by adding, {{for_15_digits|e1}} terms would be needed.
 
 ::: figure pendulum-22
-alt: Error of the sum against the number of terms, both logarithmic. The plain sum falls along a line of slope
-minus one half; with a mean of the bounds it falls five times as steeply; Levin's transformation comes to a
-ten thousand millionth within a dozen terms.
+alt: Error of the sum against the number of terms, both logarithmic. The plain sum falls along a line of
+slope minus one half; with a mean of the bounds it falls five times as steeply; Levin's transformation comes
+to a ten thousand millionth within a dozen terms.
 
 What is missing of $l2$ after $N$ terms. The plain sum creeps: a hundred times the work for one digit more.
-With the mean of the bounds {{eq 7}} tenfold work gives two and a half digits. A transformation made for such
-series finds ten digits in a dozen terms, and then stops, because the terms are rounded. Euler's logarithm has
-all digits and needs no term at all.
+With the mean of the bounds {{eq 7}} tenfold work gives two and a half digits. A transformation made for
+such series finds ten digits in a dozen terms, and then stops, because the terms are rounded. Euler's
+logarithm has all digits and needs no term at all.
 :::
 
 ## Checks

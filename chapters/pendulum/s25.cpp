@@ -8,7 +8,8 @@ using pendulum::D, pendulum::half_versine, pendulum::root_of, pendulum::W;
 /*!
 ## What Euler does
 
-With the constant that makes the whole vanish with $v$, {{sec pendulum.24}} has led to
+Every part of the integral is infinite at the place where the whole must vanish. With the constant that
+makes the whole vanish with $v$, {{sec pendulum.24}} has led to
 
 $$ \int\frac{V\,dv}{v} - \tfrac14\,lv = C + \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv}
    - \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right), \tag{1} $$
@@ -39,12 +40,13 @@ double as_it_stands(double v)  // (1)
 }
 
 /*!
-A first cure is to subtract the largest parts by hand: with $D = l2 - l(1+\sqrt{1-vv})$ and $u = \sqrt{1-vv}$,
+A first cure is to subtract the largest parts by hand: with $D = l2 - l(1+\sqrt{1-vv})$ and
+$u = \sqrt{1-vv}$,
 
 $$ W = -\frac14 + \frac{1}{4(1+u)} + \frac{D}{4} + \frac{D}{2vv}. \tag{2} $$
 
-Nothing is infinite any more, but the first, second and fourth member still cancel: the relative error, which
-before grew like $1/v^4$, now grows like $1/vv$.
+Nothing is infinite any more, but the first, second and fourth member still cancel: the relative error,
+which before grew like $1/v^4$, now grows like $1/vv$.
 */
 
 double once_reduced(double v)  // (2)
@@ -98,11 +100,11 @@ TELL
 
 ::: figure pendulum-25
 alt: Relative error of three ways to W against v, both logarithmic. Euler's form rises with slope minus four
-and has lost every digit before v is a ten thousandth; the reduced form rises with slope minus two; the third
-stays at the last digit.
+and has lost every digit before v is a ten thousandth; the reduced form rises with slope minus two; the
+third stays at the last digit.
 
-Euler's infinities on a machine of sixteen digits. As it stands the formula is useless from $v = 10^{-4}$ on:
-the parts are of the order $1/vv$, each is rounded, and what should be left is of the order $vv$.
+Euler's infinities on a machine of sixteen digits. As it stands the formula is useless from $v = 10^{-4}$
+on: the parts are of the order $1/vv$, each is rounded, and what should be left is of the order $vv$.
 :::
 
 ## Checks

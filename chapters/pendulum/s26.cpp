@@ -9,8 +9,8 @@ using pendulum::W;
 /*!
 ## What Euler does
 
-What {{sec pendulum.25}} announced is now done. Let $v$ be infinitely small. First,
-$\sqrt{1-vv} = 1 - \frac12vv$, from which the member with the root becomes
+A quantity infinitely small finds the constant. What {{sec pendulum.25}} announced is now done. Let $v$ be
+infinitely small. First, $\sqrt{1-vv} = 1 - \frac12vv$, from which the member with the root becomes
 
 $$ -\frac{\sqrt{1-vv}}{4vv} = -\frac1{4vv} + \frac18. \tag{1} $$
 

@@ -10,8 +10,8 @@ using pendulum::root_of, pendulum::W;
 /*!
 ## What Euler does
 
-With the constant of {{sec pendulum.26}} nothing is open any more. The function that belongs to the third
-column is
+The third column of the array sums to three quarters of the logarithm of two. With the constant of
+{{sec pendulum.26}} nothing is open any more. The function that belongs to the third column is
 
 $$ \int\frac{V\,dv}{v} - \tfrac14\,lv = \tfrac14\,l2 - \tfrac14 + \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv}
    - \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right), \tag{1} $$
@@ -49,8 +49,8 @@ Real third_column(Real alpha)  // (3)
 }
 
 /*!
-What the first terms leave out can be caught between bounds as in {{sec pendulum.22}}, and here the bounds are
-very narrow. With $a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots2n}$ a term is
+What the first terms leave out can be caught between bounds as in {{sec pendulum.22}}, and here the bounds
+are very narrow. With $a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots2n}$ a term is
 
 $$ \frac{a_{n+1}^2}{2n\,a_n} = \left(a_n - a_{n+1}\right)\left(1 + \frac1{4n(n+1)}\right), \tag{4} $$
 
@@ -112,13 +112,13 @@ TELL
 At η = {{eta}}° the time lacked {{before|4}} with two columns and lacks {{after|4}} with three.
 
 ::: figure pendulum-27
-alt: Sums of the series against the number of terms up to 100. They rise from 0.14 towards 0.52 and cross the
-line of a quarter of the logarithm of 2 between the first and the second term. With the bound of the remainder
-they lie on three quarters of the logarithm of 2 from the first terms on.
+alt: Sums of the series against the number of terms up to 100. They rise from 0.14 towards 0.52 and cross
+the line of a quarter of the logarithm of 2 between the first and the second term. With the bound of the
+remainder they lie on three quarters of the logarithm of 2 from the first terms on.
 
-The sums of {{eq 2}}. Already the second is above $\frac14\,l2$, which the scan prints as the sum of all; they
-creep towards $\frac34\,l2$ as {{sec pendulum.22}}'s did. The open points have the lower bound $a_{N+1}$ of
-the remainder added.
+The sums of {{eq 2}}. Already the second is above $\frac14\,l2$, which the scan prints as the sum of all;
+they creep towards $\frac34\,l2$ as {{sec pendulum.22}}'s did. The open points have the lower bound
+$a_{N+1}$ of the remainder added.
 :::
 
 ## Checks
@@ -166,8 +166,8 @@ CHECK_THAT("with three columns the time lacks less than the fourth, sin⁴α tim
 }
 
 /*!
-The scan prints $\frac14\,l2$ for the sum, and $\frac14$ again in {{eq 3}}; but {{eq 1}} gives $\frac34$, and
-{{sec pendulum.29}} has it so. It has mistaken letters too, under the root and under the integral.
+The scan prints $\frac14\,l2$ for the sum, and $\frac14$ again in {{eq 3}}; but {{eq 1}} gives $\frac34$,
+and {{sec pendulum.29}} has it so. It has mistaken letters too, under the root and under the integral.
 */
 
 const Emendation three_quarters{
