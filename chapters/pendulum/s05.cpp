@@ -98,6 +98,7 @@ TELL
 {
   const double b = pendulum::equivalent_length<double>(a, k);
   const double per_second = std::sqrt(2 * g / b);
+  require(t * per_second < 1e6, "t", "less than a million times √b/√(2g)");
   const Motion motion({swing_.zeta, swing_.eta});
   const double phi = motion.angle(t * per_second);
   tell("slowest", turning(swing_.zeta), Unit{"rad/s²"}, "acceleration at the turning point");
