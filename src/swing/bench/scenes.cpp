@@ -580,13 +580,16 @@ Scene integration(const std::string& name, double zeta)
           {}};
   s.exact = {oracle::Motion::from_zeta(zeta).angle(s.in[0])};
   const double speed = m.velocity(0);
-  const std::pair<const char*, const gsl_odeiv2_step_type*> types[] = {{"GSL rkf45", gsl_odeiv2_step_rkf45},
-                                                                       {"GSL rk8pd", gsl_odeiv2_step_rk8pd}};
-  for (const auto& [type_name, type] : types)
-    for (const auto& [text, tolerance] :
-         {std::pair{"1e-6", 1e-6}, {"1e-8", 1e-8}, {"1e-10", 1e-10}, {"1e-12", 1e-12}})
-      s.methods.push_back(each(std::string(type_name) + ", " + text, "peer",
-                               [=, t = type](double end) { return integrate(t, tolerance, speed, end); }));
+  const auto add = [&](const std::string& type_name, const gsl_odeiv2_step_type* type, const char* tolerance)
+  {
+    const double bound = std::stod(tolerance);
+    s.methods.push_back(each(type_name + ", " + tolerance, "peer",
+                             [=](double end) { return integrate(type, bound, speed, end); }));
+  };
+  for (const char* tolerance : {"1e-6", "1e-8", "1e-10", "1e-12"})
+    add("GSL rkf45", gsl_odeiv2_step_rkf45, tolerance);
+  for (const char* tolerance : {"1e-6", "1e-8", "1e-10", "1e-12"})
+    add("GSL rk8pd", gsl_odeiv2_step_rk8pd, tolerance);
   s.methods.push_back(each("theta quotient", "ours", [m](double t) { return m.angle(t); }));
   return s;
 }
