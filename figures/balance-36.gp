@@ -1,3 +1,4 @@
+tall = 1
 load "figures/style.gp"
 set xrange [0:360]
 set xtics 60 format "%g°"
@@ -14,6 +15,6 @@ set label "Euler's table" at 216, -9.6 textcolor linetype 2
 plot tsv("balance-36.motion") using "angle":"omega" with lines linetype 4, \
      "" using "angle":"theta" with lines linetype 3, \
      "" using "angle":"eta" with lines linetype 1, \
-     "" every 30 using "angle":"euler_omega" with points linetype 2, \
-     "" every 30 using "angle":"euler_eta" with points linetype 2, \
-     "" every 30 using "angle":"euler_theta" with points linetype 2 pointtype 8
+     "" every 30 using "angle":"euler_omega" with points linetype 2 pointsize 0.35, \
+     "" every 30 using "angle":"euler_eta" with points linetype 2 pointsize 0.35, \
+     "" every 30 using "angle":"euler_theta" with points linetype 2 pointsize 0.35

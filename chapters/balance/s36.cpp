@@ -8,8 +8,9 @@ using namespace balance;
 /*!
 ## What Euler does
 
-In {{sec balance.33}} he had found how beam and pans move when all three are let go from rest, the beam at
-the angle $m$, the pans at $n$ and $n'$:
+To see how far the pans stray from regular swings Euler tabulates an example through a whole period of the
+beam. In {{sec balance.33}} he had found how beam and pans move when all three are let go from rest, the beam
+at the angle $m$, the pans at $n$ and $n'$:
 
 $$ \begin{aligned}
 \omega &= m\cos\lambda t,\\
@@ -26,13 +27,12 @@ radius. Then
 $$ \omega = \tfrac16\cos t,\qquad \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\}
  = \tfrac16\cos 3t \pm \left(\tfrac1{720}\cos 2t - \tfrac1{1008}\cos 4t\right), \tag{2} $$
 
-only that he has $\tfrac1{1080}$ for the last fraction. How far do the pans stray from regular swings? He
-makes a table to see it. The time in seconds stands under the cosines as an angle, and one second is an angle
-of about 57°. To look at the balance every half second he therefore lets $t$ run through 0°, 30°, 60° and so
-on, to the end of the beam's period. The sixth of the radius he counts as ten degrees, so that $\tfrac1{720}$
-is 5′ and the other fraction 3⅓′: together they move a pan by a few minutes in ten degrees. He concludes that
-in practice hardly anybody would notice so small an irregularity, and that it can hardly ever be greater,
-since no greater number $i$ seems possible.
+only that he has $\tfrac1{1080}$ for the last fraction. The time in seconds stands under the cosines as an
+angle, and one second is an angle of about 57°. To look at the balance every half second he therefore lets
+$t$ run through 0°, 30°, 60° and so on, to the end of the beam's period. The sixth of the radius he counts as
+ten degrees, so that $\tfrac1{720}$ is 5′ and the other fraction 3⅓′: together they move a pan by a few
+minutes in ten degrees. He concludes that in practice hardly anybody would notice so small an irregularity,
+and that it can hardly ever be greater, since no greater number $i$ seems possible.
 
 ::: margin
 Euler's degree is here a sixtieth of the radius, {{his_degree|4}}° of ours, and his minute a 3600th. The
@@ -46,8 +46,8 @@ Formula {{eq 1}} is shared with the sections before.
 ::: code balance/euler.hpp euler
 :::
 
-What it leaves free the reader may change. The full equations need one number more, the share $\rho =
-Laa/(M(kk+cc)+2Laa)$ of one pan in the inertia of the whole, which has dropped out of {{eq 1}}.
+What it leaves free the reader may change. The full equations need one number more, the share
+$\rho = Laa/(M(kk+cc)+2Laa)$ of one pan in the inertia of the whole, which has dropped out of {{eq 1}}.
 */
 
 const auto lambda = real("lambda", 1, Unit{"1/s"}, closed(0.01, 100), "the beam's frequency λ = √(2g/f)");
@@ -127,9 +127,9 @@ TELL
 /*!
 How far is the formula from the truth, and why? Two steps lie between them. The first makes the solution
 *complete* to the second order, {{api balance::second_order}}: Euler keeps the product $\eta\omega$ but drops
-another term of the same order, the sideways pull that comes from the arcs of $A$ and $B$ ({{sec
-balance.13}}). The second makes the pan's period longer by the factor $1 + \tfrac1{16}nn$, as that of any
-pendulum of amplitude $n$ is ({{sec pendulum.10}}).
+another term of the same order, the sideways pull that comes from the arcs of $A$ and $B$
+({{sec balance.13}}). The second makes the pan's period longer by the factor $1 + \tfrac1{16}nn$, as that of
+any pendulum of amplitude $n$ is ({{sec pendulum.10}}).
 */
 
 constexpr Unit minutes{"′", 3600};
@@ -213,7 +213,8 @@ alt: Minutes of η over one period of the beam. What Euler's formula adds to a r
 minus 9 and plus 5 minutes. The truth less his formula swings more and more widely, up to three times as far.
 What is left after both steps stays small.
 
-What Euler left out against what he kept, for the pan P.
+What Euler left out against what he kept, for the pan P. The thin line is what is left when the second order
+is complete and the period lengthened.
 :::
 
 ## Checks
@@ -354,6 +355,6 @@ angles can show, and it accumulates: with every swing each pan lags a little mor
 The share $\rho$ matters little here, because the pulls of two pans that start alike cancel on the beam to
 the second order. They do not when the pans start as mirror images; try `--n1 -9.5`.
 
-Of the number that can hardly be greater the scan has lost the letter. It must be $i$, which {{sec
-balance.34}} makes the measure of the irregularity.
+Of the number that can hardly be greater the scan has lost the letter. It must be $i$, which
+{{sec balance.34}} makes the measure of the irregularity.
 */
