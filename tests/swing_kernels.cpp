@@ -89,7 +89,7 @@ std::vector<Kernel> all_kernels()
   return {
       of_numbers("K", &kernels::Table::K, arguments(1, 5), 0x2576cfe7f7b256c2),
       of_numbers("K_from_complement", &kernels::Table::K_from_complement, arguments(2, 1070),
-                 ),
+                 0xd665f1d254ccf290),
       of_numbers("ratio_from_top", &kernels::Table::ratio_from_top, eta, 0x8e027df89b4848b2),
       of_numbers("ratio_from_bottom", &kernels::Table::ratio, eta, 0x52042ad37f57973b),
       of_times("low angle", low, &Questions::angle, 0x62445de5ab2975f2),
