@@ -82,7 +82,7 @@ TELL
   require(phi <= zeta.zeta, "phi", "at most zeta");
   tell("moment", moment(M, a, phi), Unit{"kg m"}, "moment of gravity at Φ, weight times arm");
   tell("at_rest", moment_at_rest(M, a, zeta), Unit{"kg m"}, "the same at the turning point");
-  tell("small_swings", M * a * phi, Unit{"kg m"}, "what the law of small swings puts for the moment at Φ, MaΦ");
+  tell("small_swings", M * a * phi, Unit{"kg m"}, "what the law of small swings has for it, MaΦ");
   tell("up", from_phi_to_rest(phi, zeta), "from Φ up to rest at ζ, in the unit √b/√(2g)");
   tell("down", from_rest_to_phi(phi, zeta), "from there down to Φ");
 }

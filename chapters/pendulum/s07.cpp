@@ -96,7 +96,7 @@ double legendre_angle(double phi, Amplitude to)
   return std::atan2(std::sin(phi / 2), root);
 }
 
-double by_gauss(double phi, Amplitude to, std::size_t points)
+double by_gauss(double phi, Amplitude to, int points)
 {
   double c = to.modulus();
   const auto element = [](double theta, void* c_) {
@@ -104,7 +104,7 @@ double by_gauss(double phi, Amplitude to, std::size_t points)
     return 1 / std::sqrt((1 - s) * (1 + s));
   };
   const gsl_function f{element, &c};
-  gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(points);
+  const auto table = gsl_integration_glfixed_table_alloc(static_cast<std::size_t>(points));
   const double t = gsl_integration_glfixed(&f, 0, legendre_angle(phi, to), table);
   gsl_integration_glfixed_table_free(table);
   return t;
@@ -150,7 +150,7 @@ TELL
   using namespace boost::math::policies;  // not in long doubles, and NaN rather than an exception
   using Doubles = policy<promote_double<false>, domain_error<ignore_error>, overflow_error<ignore_error>>;
   std::vector<Method> ways;
-  for(const std::size_t points : {4, 8, 16})
+  for(const int points : {4, 8, 16})
     ways.push_back({"Gauss in θ, " + std::to_string(points) + " points",
                     [=] { return by_gauss(at, zeta, points); }, "Gauss"});
   const auto way = [&](const char* name, auto time) { ways.push_back({name, time}); };
