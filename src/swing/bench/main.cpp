@@ -137,7 +137,14 @@ int main(int argc, char** argv)
   app.add_flag("--errors-only", errors_only, "no timing: the same bytes in every run");
   app.add_option("--rounds", rounds, "rounds of each race")->check(CLI::Range(1, 1000));
   app.add_option("--scene", wanted, "only scenes whose name contains this");
-  CLI11_PARSE(app, argc, argv);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& e)
+  {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
 
   Json json;
   if (!errors_only)
