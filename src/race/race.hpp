@@ -3,8 +3,8 @@
 ///
 /// A single timing tells little on a machine that does other things too. Here all entrants run in turn, round
 /// after round, so that what disturbs one disturbs all, and what is reported of each is the median: of its
-/// own time, and of its time over that of the first entrant in the same round. The time is the processor's, not the
-/// wall clock's.
+/// own time, and of its time over that of the first entrant in the same round. The time is the processor's,
+/// not the wall clock's.
 #pragma once
 
 #include <cstddef>
