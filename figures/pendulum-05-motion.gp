@@ -5,7 +5,7 @@ set ytics 90 format "%g°"
 set xlabel "time, in swings of infinitely small arc"
 set ylabel "angle Φ"
 set style textbox opaque noborder
-set label "30°" at 2.55, 44 center front textcolor linetype 6
+set label "30°" at 4.5, 46 center front textcolor linetype 6
 set label "90°" at 1.78, -102 center front boxed textcolor linetype 3
 set label "150°" at 5.28, 160 center front boxed textcolor linetype 4
 set label "179°" at 2.0, 168 center front boxed textcolor linetype 1

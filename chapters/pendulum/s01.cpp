@@ -12,8 +12,9 @@ using swing::Amplitude;
 /*!
 ## What Euler does
 
-The elements of mechanics, he begins, teach the pendulum in a doubly simple case: the body is a point on a
-thread, and it swings through arcs that are infinitely small. What they are at pains to determine is the
+Every real pendulum wants two corrections, one for its body and one for its arc, and he will give both for all
+of them. The elements of mechanics, he begins, teach the pendulum in a doubly simple case: the body is a point
+on a thread, and it swings through arcs that are infinitely small. What they are at pains to determine is the
 length of such a pendulum that beats seconds. But the pendulums with which experiments are made are not
 simple, and their swings, be they as small as they may, cannot pass for infinitely small. So the theory wants
 two corrections.

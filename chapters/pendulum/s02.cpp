@@ -11,10 +11,11 @@ using pendulum::ratio_by_mean, pendulum::Point, pendulum::at, pendulum::line, pe
 /*!
 ## What Euler does
 
-He sets up the scene. The point $A$ of the figure is a horizontal axis, about which some pendulum $AG$ swings.
-The plane of the figure is vertical and the axis stands at right angles to it, so that every swing takes place
-in this plane. The vertical line $AB$ is the pendulum's natural position, the one in which it can stay at
-rest; and it does so when the centre of gravity of the whole pendulum lies in $AB$.
+First the scene: an axis, a vertical, a line through the centre of gravity, and the time from the one line to
+the other, of which two make an oscillation. The point $A$ of the figure is a horizontal axis, about which
+some pendulum $AG$ swings. The plane of the figure is vertical and the axis stands at right angles to it, so
+that every swing takes place in this plane. The vertical line $AB$ is the pendulum's natural position, the one
+in which it can stay at rest; and it does so when the centre of gravity of the whole pendulum lies in $AB$.
 
 The angle $BAG = \zeta$ is the greatest excursion, the one to which the pendulum departs from the vertical by
 turns on both sides. What is to be found is the time in which it comes from the oblique position $AG$ to the
@@ -87,7 +88,7 @@ TELL
   const double up = time_between(90_deg, 180_deg, swing_.zeta, n);
   tell("t", unit * down, seconds, "from AG down to AB");
   tell("up", unit * up, seconds, "from AB up to the other side");
-  tell("T", unit * (down + up), seconds, "one oscillation");
+  tell("T", unit * (down + up), seconds, "one oscillation");  // (1)
   tell("dimensionless", down, "t√(2g)/√b");
   const double exact = swing::quarter_time({swing_.zeta, swing_.eta});
   tell("error", down / exact - 1, "the relative error of that, from so few parts");

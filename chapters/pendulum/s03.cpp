@@ -11,9 +11,11 @@ using pendulum::Elements, pendulum::body_of, pendulum::moment_of_inertia, pendul
 /*!
 ## What Euler does
 
-However the pendulum may be put together, let $G$ be the centre of gravity of the whole, $AG = a$ its distance
-from the axis, and $M$ the mass, the letter at the same time meaning the weight. Then gravity acts on it just
-as if a single force $M$ were applied at $G$ in the vertical direction $GH$.
+Three numbers are all that the motion knows of a body: its mass, how far its centre of gravity is from the
+axis, and its radius of gyration. However the pendulum may be put together, let $G$ be the centre of gravity
+of the whole, $AG = a$ its distance from the axis, and $M$ the mass, the letter at the same time meaning the
+weight. Then gravity acts on it just as if a single force $M$ were applied at $G$ in the vertical direction
+$GH$.
 
 The principles of motion ask for one thing more, the moment of inertia of the whole pendulum about an axis
 through $G$ parallel to the axis of gyration. It is found by multiplying each element of the body by the
@@ -95,7 +97,7 @@ TELL
   const Elements pieces = rod(L, a, M, n);
   const double k = L / std::sqrt(12);
   tell("k", k, metres, "the rod's radius of gyration, L/√12");
-  tell("k_of_pieces", body_of(pieces).k, metres, "that of its n pieces");
+  tell("k_of_pieces", body_of(pieces).k, metres, "that of its n pieces");  // (1)
   tell("about_A", about_the_axis(M, a, k), Unit{"kg m²"}, "the rod's moment of inertia about A, M(aa+kk)");
   tell("about_A_of_pieces", moment_of_inertia(pieces, {0, 0}), Unit{"kg m²"}, "that of its pieces, added up");
   auto& rows = table("bodies", "Radius of gyration: of n rings, and as the limit is known",

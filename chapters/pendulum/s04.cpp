@@ -13,9 +13,11 @@ using swing::Amplitude;
 /*!
 ## What Euler does
 
-Now take the pendulum in any position that it has while it swings. The line $AG = a$ makes with the vertical
-$AB$ an angle $BAG = \Phi$, a variable one: nothing in the vertical position, it grows by turns on both sides
-up to $\Phi = \zeta$, if ζ denotes the amplitude of the greatest excursion.
+Gravity always pulls back towards the vertical, with a moment that goes as the sine of the angle, and so the
+way up and the way down take equal times. Take the pendulum in any position that it has while it swings. The
+line $AG = a$ makes with the vertical $AB$ an angle $BAG = \Phi$, a variable one: nothing in the vertical
+position, it grows by turns on both sides up to $\Phi = \zeta$, if ζ denotes the amplitude of the greatest
+excursion.
 
 Gravity alone is supposed to drive the pendulum, and so it bears, applied at its centre of gravity $G$ and in
 the vertical direction $GH$, the force $M$. The moment of this force about the axis of gyration $A$ is
@@ -61,12 +63,12 @@ one adds up from the lowest point, by the integral of {{sec pendulum.07}}, and l
 the motion. The other begins at rest, with the integral of {{sec pendulum.14}}.
 */
 
-double from_phi_to_rest(double phi, Amplitude amplitude)
+double from_phi_to_rest(double phi, Amplitude amplitude)  // (2), left side
 {
   return swing::quarter_time(amplitude) - swing::time_from_bottom(phi, amplitude);
 }
 
-double from_rest_to_phi(double phi, Amplitude amplitude)
+double from_rest_to_phi(double phi, Amplitude amplitude)  // (2), right side
 {
   return swing::time_from_rest_past(amplitude.zeta - phi, amplitude.eta);
 }

@@ -16,10 +16,11 @@ using swing::Amplitude, swing::Motion;
 /*!
 ## What Euler does
 
-The pendulum is on its way out from its natural position $AB$, and when the time $t$ has passed, in seconds,
-it has come to $AG$, having turned through the angle $BAG = \Phi$. In the element of time $dt$ it turns
-through the element $GAg = d\Phi$. So its angular speed is $\frac{d\Phi}{dt}$, and the differential of this
-divided by $dt$ gives its acceleration,
+The moment of gravity over the moment of inertia is the acceleration of the angle, and from this one equation
+the whole motion follows. The pendulum is on its way out from its natural position $AB$, and when the time $t$
+has passed, in seconds, it has come to $AG$, having turned through the angle $BAG = \Phi$. In the element of
+time $dt$ it turns through the element $GAg = d\Phi$. So its angular speed is $\frac{d\Phi}{dt}$, and the
+differential of this divided by $dt$ gives its acceleration,
 
 $$ \frac{dd\Phi}{dt^2} , \tag{1} $$
 
@@ -210,7 +211,7 @@ CHECK_THAT("the exact motion satisfies the equation, to twenty-three digits")
     for(const double tau : {0.3, 1.0, 5.0, 12.0})
     {
       const Fifty before = motion.angle(tau - dt), now = motion.angle(tau), after = motion.angle(tau + dt);
-      CHECK((after - 2 * now + before) / (dt * dt)
+      CHECK((after - 2 * now + before) / (dt * dt)  // (1)
             == within(-sin(now), 1e-23, "dt²/12 of a fourth derivative of at most 5"));
     }
   }

@@ -20,9 +20,9 @@ $\int d\Phi\sin\Phi = -\cos\Phi$, its integral is
 
 $$ \frac{d\Phi^2}{dt^2} = \frac{4ga\cos\Phi}{aa+kk} + C . \tag{1} $$
 
-To determine the constant he notes that $\frac{d\Phi^2}{dt^2}$ is the square of the angular speed, which
-must vanish when the pendulum has reached its greatest excursion, $\Phi = \zeta$. So the constant, and with
-it the equation that defines the motion of the pendulum, are
+To determine the constant he notes that $\frac{d\Phi^2}{dt^2}$ is the square of the angular speed, which must
+vanish when the pendulum has reached its greatest excursion, $\Phi = \zeta$. So the constant, and with it the
+equation that defines the motion of the pendulum, are
 
 $$ C = -\frac{4ga\cos\zeta}{aa+kk} , \tag{2} $$
 
@@ -36,10 +36,10 @@ then
 
 $$ \frac{d\Phi^2}{dt^2} = \frac{4g}b\,(\cos\Phi-\cos\zeta) . \tag{5} $$
 
-The length $b$ is the distance of the centre of oscillation from the axis of suspension or, what comes to
-the same, the length of the isochronous simple pendulum: of the one, that is, which would take on the very
-same oscillating motion if it described arcs of the same amplitude. The body is gone from the equation. And
-at the very beginning, when the pendulum left its vertical position $AB$, the square of its speed was
+The length $b$ is the distance of the centre of oscillation from the axis of suspension or, what comes to the
+same, the length of the isochronous simple pendulum: of the one, that is, which would take on the very same
+oscillating motion if it described arcs of the same amplitude. The body is gone from the equation. And at the
+very beginning, when the pendulum left its vertical position $AB$, the square of its speed was
 
 $$ \frac{4g}b\,(1-\cos\zeta) , \tag{6} $$
 
@@ -51,13 +51,13 @@ $\omega_0^2 = 2g/b$. The height *due* to a speed $v$ is the one from which a bod
 $vv/4g$.
 :::
 
-The text that we have shows $2g$ for $4g$ in the first four of these formulae, but not in the last. Only
-$4g$ is right; see the apparatus.
+The text that we have shows $2g$ for $4g$ in the first four of these formulae, but not in the last. Only $4g$
+is right; see the apparatus.
 
 ## The program
 
-The difference of the cosines decides everything here, and near the turning point there is nothing left of
-it when it is formed as it stands. As a product it keeps its digits; and counted from the top, with
+The difference of the cosines decides everything here, and near the turning point there is nothing left of it
+when it is formed as it stands. As a product it keeps its digits; and counted from the top, with
 $\psi = 180° - \Phi$, it is the difference of the other two cosines.
 
 ::: code pendulum/equation.hpp cosine_difference
@@ -148,9 +148,9 @@ TELL
 }
 
 /*!
-Let go at {{zeta|deg0}}, the rod of {{sec pendulum.01}} passes {{phi|deg0}} with {{speed|4}} radians a
-second and $AB$ with {{at_bottom|4}}. Its centre of oscillation has then fallen {{height_due|4}} metres, and
-has the speed of a body that has fallen so far.
+Let go at {{zeta|deg0}}, the rod of {{sec pendulum.01}} passes {{phi|deg0}} with {{speed|4}} radians a second
+and $AB$ with {{at_bottom|4}}. Its centre of oscillation has then fallen {{height_due|4}} metres, and has the
+speed of a body that has fallen so far.
 
 ::: figure pendulum-06
 alt: Closed curves about the origin, one inside the other, in a plane of angle and angular speed. The inner
@@ -163,18 +163,18 @@ the same time. The boundary belongs to 180°; on it the pendulum comes to the to
 :::
 
 ::: figure pendulum-06-length
-alt: The length b against a, both in units of k, the first axis logarithmic. The curve has its minimum, 2,
-at a equal to k and rises on both sides. A level line at 2.5 cuts it at one half and at 2.
+alt: The length b against a, both in units of k, the first axis logarithmic. The curve has its minimum, 2, at
+a equal to k and rises on both sides. A level line at 2.5 cuts it at one half and at 2.
 
-The length $b$ of one body hung at different distances $a$ from its centre of gravity. It is least, $2k$,
-for $a = k$. Any greater length belongs to two distances, whose product is $kk$ and whose sum is $b$: hang
-the pendulum up by its centre of oscillation, and it swings as before.
+The length $b$ of one body hung at different distances $a$ from its centre of gravity. It is least, $2k$, for
+$a = k$. Any greater length belongs to two distances, whose product is $kk$ and whose sum is $b$: hang the
+pendulum up by its centre of oscillation, and it swings as before.
 :::
 
 ## Checks
 
-Along the exact motion, whose speed comes from theta functions and not from {{eq 5}}, the first integral
-holds to forty digits.
+Along the exact motion, whose speed comes from theta functions and not from {{eq 5}}, the first integral holds
+to forty digits.
 */
 
 /// The square of the angular speed at Φ in the exact motion, in the unit 2g/b.
@@ -245,8 +245,8 @@ const Doubtful with_b{
 
 /*!
 The clause about the height due to the speed has suffered; as it stands it says that {{eq 6}} *is* that
-height. But {{eq 6}} is the square of an angular speed. The centre of oscillation $O$ moves $b$ times as
-fast, and the height due to its speed is $b(1-\cos\zeta)$, which is just how high it climbs: the sagitta of
+height. But {{eq 6}} is the square of an angular speed. The centre of oscillation $O$ moves $b$ times as fast,
+and the height due to its speed is $b(1-\cos\zeta)$, which is just how high it climbs: the sagitta of
 {{sec pendulum.10}}.
 */
 

@@ -17,8 +17,8 @@ namespace oracle = swing::oracle;
 /*!
 ## What Euler does
 
-The speed at every angle is known; so is the time that every element of the angle takes. From
-{{sec pendulum.06}} the element of time is
+The time becomes an integral, and the sines of half the angles make it algebraic. The speed at every angle is
+known; so is the time that every element of the angle takes. From {{sec pendulum.06}} the element of time is
 
 $$ dt = \frac{d\Phi\sqrt b}{2\sqrt{g(\cos\Phi-\cos\zeta)}} , \tag{1} $$
 
@@ -204,10 +204,10 @@ CHECK_THAT("the elements in Φ and in z are the same time, and so are their inte
   for(const Fifty& x : {exact::pi() / 180, exact::pi() / 4, exact::pi() / 3, exact::pi() * 89 / 180})
   {
     const Fifty z = sin(x / 2);
-    CHECK(cos(x) == within(1 - 2 * z * z, 1e-48, "(2) to the last digit"));
-    CHECK(cos(x / 2) == within(sqrt(1 - z * z), 1e-48, "(3) to the last digit"));
+    CHECK(cos(x) == within(1 - 2 * z * z, 1e-48, "to the last digit"));  // (2)
+    CHECK(cos(x / 2) == within(sqrt(1 - z * z), 1e-48, "to the last digit"));  // (3)
     CHECK(element_in_z(z, c) * cos(x / 2) / 2
-          == within_relative(element_in_phi(x, zeta), 1e-45, "(4), and a dozen roundings near the end"));
+          == within_relative(element_in_phi(x, zeta), 1e-45, "a dozen roundings near the end"));  // (4)
   }
   const auto in_z = [&](const Fifty& z) { return element_in_z(z, c); };
   const auto in_phi = [&](const Fifty& x) { return element_in_phi(x, zeta); };

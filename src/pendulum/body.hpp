@@ -9,11 +9,13 @@
 namespace pendulum
 {
 
-/// The elements of a body, one in each column: its mass and its place x, y. The axis A is the origin, y points upwards.
+/// The elements of a body, one in each column: its mass and its place x, y. The axis A is the
+/// origin, y points upwards.
 using Elements = Eigen::Matrix3Xd;
 
 // [body]
-/// What the motion knows of a body: its mass M, its centre of gravity G and its radius of gyration k about G (§3).
+/// What the motion knows of a body: its mass M, its centre of gravity G and its radius of gyration
+/// k about G (§3).
 struct Body
 {
   double M;
@@ -23,8 +25,8 @@ struct Body
   double a() const { return G.stableNorm(); }  ///< AG
 };
 
-/// The body that the elements make. Domain: positive masses. Error: a few ulps of the greatest arm; squares of lengths
-/// do not overflow.
+/// The body that the elements make. Domain: positive masses. Error: a few ulps of the greatest arm;
+/// squares of lengths do not overflow.
 inline Body body_of(const Elements& elements)
 {
   const Eigen::RowVectorXd m = elements.row(0);
@@ -38,14 +40,16 @@ inline Body body_of(const Elements& elements)
 // [body]
 
 // [sum_of_squares]
-/// The moment of inertia of the elements about a parallel axis through `point`: each mass by the square of its distance.
+/// The moment of inertia of the elements about a parallel axis through `point`: each mass by the
+/// square of its distance.
 inline double moment_of_inertia(const Elements& elements, const Eigen::Vector2d& point)
 {
   return elements.row(0).dot((elements.bottomRows<2>().colwise() - point).colwise().squaredNorm());
 }
 // [sum_of_squares]
 
-/// Three weights on one body, the example of §§3 and 4: with its centre of gravity neither in an element nor below A.
+/// Three weights on one body, the example of §§3 and 4: with its centre of gravity neither in an
+/// element nor below A.
 inline Elements three_weights()
 {
   return Elements{{1, 2, 0.5}, {0.3, -0.2, 0.9}, {-1.1, -0.4, -2.3}};

@@ -1,6 +1,6 @@
 /// @file
-/// What the pendulum's equation of motion is made of: the length that stands for the body, and the difference of two
-/// cosines that stands for the amplitude.
+/// What the pendulum's equation of motion is made of: the length that stands for the body, and the
+/// difference of two cosines that stands for the amplitude.
 #pragma once
 
 #include <cmath>
@@ -9,9 +9,9 @@ namespace pendulum
 {
 
 // [equivalent_length]
-/// b = a + kk/a, the length of the simple pendulum that swings as the compound one does (§6): a = AG, and k the radius of
-/// gyration about G. Domain: a > 0, k ≥ 0, in the same unit as the result. Real: double (to 2 ulp, and no overflow or
-/// underflow that b itself has not) or exact::Fifty.
+/// b = a + kk/a, the length of the simple pendulum that swings as the compound one does (§6): a =
+/// AG, and k the radius of gyration about G. Domain: a > 0, k ≥ 0, in the same unit as the result.
+/// Real: double (to 2 ulp, and no overflow or underflow that b itself has not) or exact::Fifty.
 template <class Real>
 Real equivalent_length(Real a, Real k)
 {
@@ -20,9 +20,10 @@ Real equivalent_length(Real a, Real k)
 // [equivalent_length]
 
 // [cosine_difference]
-/// cos Φ − cos ζ as a product of sines, which keeps its digits where the two cosines agree (§§6, 7). Counted from the top
-/// it is the same: cos Φ − cos ζ = cos η − cos ψ, so that cosine_difference(eta, psi) serves there.
-/// Domain: any angles, radians. Real: double (to 3 ulp beyond what the rounding of the two half sums does) or exact::Fifty.
+/// cos Φ − cos ζ as a product of sines, which keeps its digits where the two cosines agree (§§6,
+/// 7). Counted from the top it is the same: cos Φ − cos ζ = cos η − cos ψ, so that
+/// cosine_difference(eta, psi) serves there. Domain: any angles, radians. Real: double (to 3 ulp
+/// beyond what the rounding of the two half sums does) or exact::Fifty.
 template <class Real>
 Real cosine_difference(Real phi, Real zeta)
 {

@@ -1,7 +1,7 @@
 /// @file
-/// The lines of which Euler's plate is drawn. The axis A is the origin, y points upwards, angles are counted from the
-/// lowest point to the right, in radians. Each piece is followed by a gap, so that a figure's script can pick the i-th
-/// by `every :::i::i`.
+/// The lines of which Euler's plate is drawn. The axis A is the origin, y points upwards, angles
+/// are counted from the lowest point to the right, in radians. Each piece is followed by a gap, so
+/// that a figure's script can pick the i-th by `every :::i::i`.
 #pragma once
 
 #include <cmath>

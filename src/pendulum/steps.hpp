@@ -1,5 +1,6 @@
 /// @file
-/// The two plainest ways to follow an equation of the second order step by step: what the exact motion is compared with.
+/// The two plainest ways to follow an equation of the second order step by step: what the exact
+/// motion is compared with.
 #pragma once
 
 namespace pendulum
@@ -13,8 +14,9 @@ struct Place
 };
 
 // [leapfrog]
-/// n steps of the leapfrog through the time t for Φ'' = acceleration(Φ). Domain: n ≥ 1. Second order: the error falls like
-/// 1/n², and the energy keeps within bounds of that size. Source: Störmer and Verlet.
+/// n steps of the leapfrog through the time t for Φ'' = acceleration(Φ). Domain: n ≥ 1. Second
+/// order: the error falls like 1/n², and the energy keeps within bounds of that size. Source:
+/// Störmer and Verlet.
 template <class Acceleration>
 Place leapfrog(Place at, double t, int n, Acceleration acceleration)
 {
@@ -30,8 +32,8 @@ Place leapfrog(Place at, double t, int n, Acceleration acceleration)
 // [leapfrog]
 
 // [runge_kutta]
-/// The same by the classical rule of Runge and Kutta, four accelerations a step. Fourth order: the error falls like 1/n⁴,
-/// but the energy drifts with the time.
+/// The same by the classical rule of Runge and Kutta, four accelerations a step. Fourth order: the
+/// error falls like 1/n⁴, but the energy drifts with the time.
 template <class Acceleration>
 Place runge_kutta(Place at, double t, int n, Acceleration acceleration)
 {
