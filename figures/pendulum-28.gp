@@ -7,5 +7,5 @@ set xlabel "{/:Italic j}"
 set ylabel "{/:Italic S_j}"
 set label "½√(π/{/:Italic j})" at 6, 0.47 left textcolor linetype 6
 set label "¾ {/:Italic l} 2" at 1.08, 0.47 left textcolor linetype 1
-f = tsv("pendulum-28.sums")
+f = tsv("pendulum-28.law")
 plot f using "j":"law" with lines linetype 6 dashtype (4, 4), f using "j":"S" with points linetype 1

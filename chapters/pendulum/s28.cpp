@@ -68,6 +68,10 @@ TELL
   for(std::size_t j = 0; j < S.size() && j < 12; ++j)  // the fractions of the later ones fill lines
     sums.row({1.0 * static_cast<double>(j), S[j].beta.str(), S[j].rho.str(),
         static_cast<double>(S[j].value())});
+}
+
+TELL
+{
   const auto fourth = exact_column_sums(3)[2];
   tell("beta", fourth.beta, "what stands before l 2 in the fourth column");
   tell("rho", fourth.rho, "and what is taken away");
@@ -75,7 +79,7 @@ TELL
   tell("if_it_were", fourth.value() / exact::ln2(), "what β would have to be if nothing were taken away");
   const Fifty alpha = Fifty(swing_.eta) / 2;
   const Fifty K = ratio_by_mean(2 * alpha) * exact::pi() / 2;
-  tell("K", K, "t√(2g/b)");
+  tell("K", static_cast<double>(K), "t√(2g/b)");
   tell("missing", static_cast<double>(K - sum_by_columns<Fifty>(alpha, columns)),
        "what the columns leave out");
 }
@@ -89,8 +93,8 @@ $$ \frac{C\,S_J\,x^J}{1 - x\,S_{J+1}/S_J} \quad\text{and}\quad \frac{S_J\,x^J}{C
 One can go further. The equation that gave {{eq 3}} also lets the whole array collapse into one column, when
 the logarithm is not taken of $\cot\frac12\alpha$ but of $\frac4{\sin\alpha}$:
 
-$$ K = \sum a_n^2\,x^n\left(l\,\frac4{\sin\alpha} - r_n\right), \qquad r_n = \frac2{1\cdot2} +
-     \frac2{3\cdot4} + \cdots + \frac2{(2n-1)\,2n}. \tag{6} $$
+$$ \begin{gathered} K = \sum a_n^2\,x^n\left(l\,\frac4{\sin\alpha} - r_n\right), \\
+   r_n = \frac2{1\cdot2} + \frac2{3\cdot4} + \cdots + \frac2{(2n-1)\,2n}. \end{gathered} \tag{6} $$
 
 ::: code pendulum/columns.hpp sum_with_one_logarithm
 :::
@@ -98,7 +102,7 @@ $$ K = \sum a_n^2\,x^n\left(l\,\frac4{\sin\alpha} - r_n\right), \qquad r_n = \fr
 
 TELL
 {
-  curve("sums", {"j", "S", "law"}, [](Curve& c) {
+  curve("law", {"j", "S", "law"}, [](Curve& c) {
     const auto S = column_sums<double>(301);
     for(std::size_t j = 1; j <= 300; j += 1 + j / 10)
       c.put({static_cast<double>(j), S[j], std::sqrt(std::numbers::pi / static_cast<double>(j)) / 2});
@@ -115,10 +119,14 @@ TELL
       c.put(row);
     }
   });
+}
+
+TELL
+{
   const double alpha = swing_.eta / 2;
   std::vector<Method> ways;
   for(const int J : {0, 1, 2, 3, 4, 6})
-    ways.push_back({std::to_string(J) + " columns", [=] { return sum_by_columns(alpha, J); }, "columns"});
+    ways.push_back({"columns: " + std::to_string(J), [=] { return sum_by_columns(alpha, J); }, "columns"});
   for(const int n : {1, 2, 3, 4, 6})
     ways.push_back({"(6), terms: " + std::to_string(n), [=] { return sum_with_one_logarithm(alpha, n); },
                    "one"});

@@ -42,6 +42,17 @@ double tidy_degrees(double rad)
   throw BadInput(fmt::format("--{}: \"{}\" {}; allowed: {}", p.name, given, fault, allowed(p)));
 }
 
+/// Two tables or curves of one name would write one file.
+void refuse_second(const std::string& name)
+{
+  for(const auto& t : section().tables)
+    if(t->name == name)
+      throw std::logic_error("two tables or curves are named " + name);
+  for(const ToldCurve& c : section().curves)
+    if(c.name == name)
+      throw std::logic_error("two tables or curves are named " + name);
+}
+
 void told(ToldValue value)
 {
   for(const ToldValue& other : section().values)
@@ -315,6 +326,7 @@ void Table::row(std::vector<Cell> cells)
 
 Table& table(const char* name, const char* caption, std::vector<Column> columns)
 {
+  refuse_second(name);
   section().tables.push_back(std::make_unique<Table>(name, caption, std::move(columns)));
   return *section().tables.back();
 }
@@ -336,6 +348,7 @@ void Curve::block()
 
 void curve(const char* name, std::vector<std::string> columns, std::function<void(Curve&)> draw)
 {
+  refuse_second(name);
   Curve under_way(columns);
   if(section().wanted.data)
     draw(under_way);
