@@ -24,8 +24,9 @@ $$ \int\frac{d\omega}{\sin^3\omega} = \frac{A\cos\omega}{\sin^2\omega} + B\int\f
 
 Differentiated, and with $\cos^2\omega = 1 - \sin^2\omega$, this says
 
-$$ \frac1{\sin^3\omega} = -\frac{A}{\sin\omega} - \frac{2A\cos^2\omega}{\sin^3\omega} + \frac{B}{\sin\omega}
-   = \frac{A}{\sin\omega} - \frac{2A}{\sin^3\omega} + \frac{B}{\sin\omega}, \tag{3} $$
+$$ \begin{aligned} \frac1{\sin^3\omega}
+   &= -\frac{A}{\sin\omega} - \frac{2A\cos^2\omega}{\sin^3\omega} + \frac{B}{\sin\omega} \\
+   &= \frac{A}{\sin\omega} - \frac{2A}{\sin^3\omega} + \frac{B}{\sin\omega}, \end{aligned} \tag{3} $$
 
 so that $2A = -1$ and $A + B = 0$: $A = -\tfrac12$, $B = \tfrac12$. The constant follows from the integral
 being nothing where the descent begins, at $\omega = \alpha$:
@@ -59,11 +60,11 @@ another.
 As they stand, {{eq 4}} and {{eq 5}} are good for the whole descent. Soon after the start they are not: both
 differences are of nearly equal numbers. Both can be taken by hand. With $\delta = \omega - \alpha$,
 
-$$ \frac{\cos\alpha}{\sin^2\alpha} - \frac{\cos\omega}{\sin^2\omega}
-   = \frac{2\sin\frac{\omega+\alpha}2\,\sin\frac\delta2\,(1 +
-     \cos\alpha\cos\omega)}{\sin^2\alpha\,\sin^2\omega}, \qquad
-   \frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha} = 1 +
-     \frac{\sin\frac12\delta}{\cos\frac12\omega\,\sin\frac12\alpha}. \tag{7} $$
+$$ \begin{aligned} \frac{\cos\alpha}{\sin^2\alpha} - \frac{\cos\omega}{\sin^2\omega}
+   &= \frac{2\sin\frac{\omega+\alpha}2\,\sin\frac\delta2\,(1 + \cos\alpha\cos\omega)}
+           {\sin^2\alpha\,\sin^2\omega}, \\
+   \frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}
+   &= 1 + \frac{\sin\frac12\delta}{\cos\frac12\omega\,\sin\frac12\alpha}. \end{aligned} \tag{7} $$
 */
 
 template <class Real>
@@ -115,8 +116,7 @@ TELL
 }
 
 /*!
-The figure's data: what a step in the logarithm of ω contributes, so that equal areas are equal times. And
-the integral of the second term in three ways; the first is ruined by a start like `--psi 5.000001`.
+The figure's data: what a step in the logarithm of ω contributes, so that equal areas are equal times.
 */
 
 TELL
@@ -144,7 +144,7 @@ TELL
 }
 
 /*!
-The second term's integral in both ways. For the whole descent they are equals; try `--psi 5.000001`.
+The second term's integral in both ways. For the whole descent they are equally good; try `--psi 5.000001`.
 */
 
 TELL

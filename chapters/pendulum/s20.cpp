@@ -25,16 +25,15 @@ $$ \int_\alpha^{90°}\frac{d\omega}{\sin^5\omega} = \frac{\cos\alpha}{4\sin^4\al
      \frac{3\cos\alpha}{2\cdot4\sin^2\alpha}
    + \frac{1\cdot3}{2\cdot4}\,l\cot\tfrac12\alpha, \tag{3} $$
 
-$$ \int_\alpha^{90°}\frac{d\omega}{\sin^7\omega} = \frac{\cos\alpha}{6\sin^6\alpha} +
-     \frac{5\cos\alpha}{4\cdot6\sin^4\alpha}
-   + \frac{3\cdot5\cos\alpha}{2\cdot4\cdot6\sin^2\alpha} +
-     \frac{1\cdot3\cdot5}{2\cdot4\cdot6}\,l\cot\tfrac12\alpha, \tag{4} $$
+$$ \begin{aligned} \int_\alpha^{90°}\frac{d\omega}{\sin^7\omega} = \frac{\cos\alpha}{6\sin^6\alpha}
+   &+ \frac{5\cos\alpha}{4\cdot6\sin^4\alpha} + \frac{3\cdot5\cos\alpha}{2\cdot4\cdot6\sin^2\alpha} \\
+   &+ \frac{1\cdot3\cdot5}{2\cdot4\cdot6}\,l\cot\tfrac12\alpha, \end{aligned} \tag{4} $$
 
 $$ \begin{aligned} \int_\alpha^{90°}\frac{d\omega}{\sin^9\omega} = \frac{\cos\alpha}{8\sin^8\alpha}
    &+ \frac{7\cos\alpha}{6\cdot8\sin^6\alpha} + \frac{5\cdot7\cos\alpha}{4\cdot6\cdot8\sin^4\alpha} \\
-   &+ \frac{3\cdot5\cdot7\cos\alpha}{2\cdot4\cdot6\cdot8\sin^2\alpha}
-   + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}\,l\cot\tfrac12\alpha, \qquad\text{etc.} \end{aligned}
-     \tag{5} $$
+   &+ \frac{3\cdot5\cdot7\cos\alpha}{2\cdot4\cdot6\cdot8\sin^2\alpha} \\
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}\,l\cot\tfrac12\alpha, \qquad\text{etc.}
+   \end{aligned} \tag{5} $$
 
 ## The program
 

@@ -10,28 +10,29 @@ using pendulum::sum_by_columns, pendulum::sum_by_rows, pendulum::sum_with_one_lo
 /*!
 ## What Euler does
 
-All the integrals go into the series, and the time of the descent becomes an endless triangle of terms. Now
-the integrals of {{sec pendulum.20}} go into the series for the time,
+All the integrals go into the series, and the time of the descent becomes an endless triangle of terms. Those
+of {{sec pendulum.20}} are put into the equation
 
 $$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega} +
      \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
    + \frac{1\cdot3}{2\cdot4}\cdot\frac{\sin^4\alpha}{\sin^5\omega} + \text{etc.}\right). \tag{1} $$
 
 Each of its terms becomes a row, and what has the same power of $\sin\alpha$ he sets in one column. For the
-whole descent $gZB$, with $S = \sin\alpha$, $C = \cos\alpha$ and $L = l\cot\frac12\alpha$,
+whole descent $gZB$, with $S = \sin\alpha$, $C = \cos\alpha$ and $L = l\cot\frac12\alpha$, the time
+$t\sqrt{2g}/\sqrt b$ is the sum of all entries of this array, each multiplied by what stands over its column
+($m$ is the row, from 0):
 
-$$ \def\arraystretch{1.7} \frac{t\sqrt{2g}}{\sqrt b} = \left\{ \begin{array}{lllll}
-   \phantom{+\ } L \\
-   + \frac{1^2}{2^2} S^2 L &{}+ \frac{1^2}{2^2} C \\
-   + \frac{1^2 3^2}{2^2 4^2} S^4 L &{}+ \frac{1\cdot3}{2\cdot4^2} C &{}+ \frac{1\cdot3^2}{2^2 4^2} C S^2 \\
-   + \frac{1^2 3^2 5^2}{2^2 4^2 6^2} S^6 L &{}+ \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2} C &{}+
-     \frac{1\cdot3\cdot5^2}{2\cdot4^2 6^2} C S^2
-     &{}+ \frac{1\cdot3^2 5^2}{2^2 4^2 6^2} C S^4 \\
-   + \frac{1^2 3^2 5^2 7^2}{2^2 4^2 6^2 8^2} S^8 L &{}+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2} C
-     &{}+ \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2 8^2} C S^2 &{}+ \frac{1\cdot3\cdot5^2 7^2}{2\cdot4^2
-     6^2 8^2} C S^4
-     &{}+ \frac{1\cdot3^2 5^2 7^2}{2^2 4^2 6^2 8^2} C S^6 \\
-   \text{etc.} \end{array} \right. \tag{2} $$
+$$ \def\arraystretch{1.7} \begin{array}{ccccc}
+   S^{2m}L & C & CS^2 & CS^4 & CS^6 \\ \hline
+   1 \\
+   \frac{1^2}{2^2} & \frac{1^2}{2^2} \\
+   \frac{1^2 3^2}{2^2 4^2} & \frac{1\cdot3}{2\cdot4^2} & \frac{1\cdot3^2}{2^2 4^2} \\
+   \frac{1^2 3^2 5^2}{2^2 4^2 6^2} & \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}
+     & \frac{1\cdot3\cdot5^2}{2\cdot4^2 6^2} & \frac{1\cdot3^2 5^2}{2^2 4^2 6^2} \\
+   \frac{1^2 3^2 5^2 7^2}{2^2 4^2 6^2 8^2} & \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}
+     & \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2 8^2} & \frac{1\cdot3\cdot5^2 7^2}{2\cdot4^2 6^2 8^2}
+     & \frac{1\cdot3^2 5^2 7^2}{2^2 4^2 6^2 8^2} \\
+   \text{etc.} \end{array} \tag{2} $$
 
 Since α is supposed to be a very small angle, $\cos\alpha$ is nearly 1. So the second column, in which every
 term has the factor $\cos\alpha$ and no sine, matters above all; what has $\sin^2\alpha$, $\sin^4\alpha$,
@@ -56,7 +57,7 @@ this:
 :::
 
 By columns it needs their sums. Euler finds two of them in the sections that follow; {{sec pendulum.28}} has
-the rest, and there the recurrence for them is derived.
+the rest, with the recurrence that is used here.
 
 ::: code pendulum/columns.hpp sum_by_columns
 :::
@@ -79,6 +80,10 @@ TELL
   tell("rows_short", exact - by_rows, "what they leave out");
   tell("by_columns", by_columns, "the logarithmic column and the first of the others");
   tell("columns_short", exact - by_columns, "what they leave out");
+}
+
+TELL
+{
   auto& array = table("array", "The array in lowest terms: what stands before L, and before the powers of S.",
                       {{"m", "row"}, {"L", "S²ᵐ L"}, {"C0", "C"}, {"C2", "C S²"}, {"C4", "C S⁴"},
                        {"C6", "C S⁶"}});
@@ -92,8 +97,7 @@ TELL
 }
 
 /*!
-For the figure, what is missing after so many rows and after so many columns; and the race, in which the
-single column of {{sec pendulum.28}} and the mean take part.
+For the figure, what is missing after so many rows and after so many columns.
 */
 
 TELL
@@ -116,14 +120,22 @@ TELL
       c.put({k + 1.0, missing(Fifty(2.5_deg)), missing(Fifty(30_deg))});
     }
   });
+}
+
+/*!
+And the race, in which the single column of {{sec pendulum.28}} and the mean take part.
+*/
+
+TELL
+{
   const double alpha = swing_.eta / 2;
   std::vector<Method> ways;
   for(const int k : {5, 100, 1000})
-    ways.push_back({std::to_string(k) + " rows", [=] { return sum_by_rows(alpha, k); }, "rows"});
+    ways.push_back({"rows: " + std::to_string(k), [=] { return sum_by_rows(alpha, k); }, "rows"});
   for(const int k : {1, 2, 4, 7})
-    ways.push_back({std::to_string(k) + " columns", [=] { return sum_by_columns(alpha, k); }, "columns"});
+    ways.push_back({"columns: " + std::to_string(k), [=] { return sum_by_columns(alpha, k); }, "columns"});
   for(const int k : {2, 4, 7})
-    ways.push_back({"one column, " + std::to_string(k) + " terms",
+    ways.push_back({"one column, terms: " + std::to_string(k),
                     [=] { return sum_with_one_logarithm(alpha, k); }, "one"});
   ways.push_back({"arithmetic-geometric mean",
                   [=] { return ratio_by_mean(2 * alpha) * std::numbers::pi / 2; }});

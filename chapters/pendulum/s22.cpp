@@ -13,30 +13,31 @@ using pendulum::D;
 /*!
 ## What Euler does
 
-The second column of the array sums to the logarithm of two. The terms of the second column of
-{{sec pendulum.21}} have nothing but $\cos\alpha$ in common, and it stands before this infinite series:
+The second column of the array sums to the logarithm of two. Its terms,
+in {{sec pendulum.21}}, have nothing but $\cos\alpha$ in common, and this stands before an infinite series:
 
-$$ \frac1{2^2} + \frac{1\cdot3}{2\cdot4^2} + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2} +
-     \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}
-   + \frac{1\cdot3\cdots9}{2\cdot4\cdots8\cdot10^2} + \frac{1\cdot3\cdots11}{2\cdot4\cdots10\cdot12^2} +
-     \text{etc.} \tag{1} $$
+$$ \begin{aligned} \frac1{2^2} &+ \frac{1\cdot3}{2\cdot4^2} + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}
+   + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2} \\
+   &+ \frac{1\cdot3\cdots9}{2\cdot4\cdots8\cdot10^2} + \frac{1\cdot3\cdots11}{2\cdot4\cdots10\cdot12^2}
+   + \text{etc.} \end{aligned} \tag{1} $$
 
 To sum it he goes back to a series that everybody knows,
 
-$$ \frac1{\sqrt{1-vv}} = 1 + \frac12vv + \frac{1\cdot3}{2\cdot4}v^4 + \frac{1\cdot3\cdot5}{2\cdot4\cdot6}v^6
-   + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}v^8 + \text{etc.} \tag{2} $$
+$$ \begin{aligned} \frac1{\sqrt{1-vv}} = 1 &+ \frac12vv + \frac{1\cdot3}{2\cdot4}v^4
+   + \frac{1\cdot3\cdot5}{2\cdot4\cdot6}v^6 \\
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}v^8 + \text{etc.} \end{aligned} \tag{2} $$
 
 Divided by $v$, multiplied by $dv$ and integrated it gets just the denominators that are wanted,
 
-$$ \int\frac{dv}{v\sqrt{1-vv}} = lv + \frac1{2^2}vv + \frac{1\cdot3}{2\cdot4^2}v^4 +
-     \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6
-   + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8 + \text{etc.}, \tag{3} $$
+$$ \begin{aligned} \int\frac{dv}{v\sqrt{1-vv}} = lv &+ \frac1{2^2}vv + \frac{1\cdot3}{2\cdot4^2}v^4
+   + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6 \\
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8 + \text{etc.}, \end{aligned} \tag{3} $$
 
 so that the sum is $\int\frac{dv}{v\sqrt{1-vv}} - lv$, when $v = 1$ is put after the integration. He calls
 the root $u$: then $vv = 1 - uu$, $2lv = l(1-uu)$, $\frac{dv}v = -\frac{u\,du}{1-uu}$, and
 
-$$ \int\frac{dv}{v\sqrt{1-vv}} = -\int\frac{du}{1-uu} = -\tfrac12\,l\,\frac{1+u}{1-u} = -l(1+u) +
-     \tfrac12\,l(1-uu) + C. \tag{4} $$
+$$ \begin{aligned} \int\frac{dv}{v\sqrt{1-vv}} &= -\int\frac{du}{1-uu} = -\tfrac12\,l\,\frac{1+u}{1-u} \\
+   &= -l(1+u) + \tfrac12\,l(1-uu) + C. \end{aligned} \tag{4} $$
 
 With the root put back, the last logarithm is $lv$, and it goes out:
 

@@ -18,9 +18,9 @@ $$ \frac{1\cdot3^2}{2^2\cdot4^2} + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2} +
 
 and it can be summed without much trouble from what {{sec pendulum.22}} has found,
 
-$$ l2 - l\left(1+\sqrt{1-vv}\right) = \frac1{2^2}vv + \frac{1\cdot3}{2\cdot4^2}v^4 +
-     \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6
-   + \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8 + \text{etc.} \tag{2} $$
+$$ \begin{aligned} l2 - l\left(1+\sqrt{1-vv}\right) = \frac1{2^2}vv &+ \frac{1\cdot3}{2\cdot4^2}v^4
+   + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6 \\
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8 + \text{etc.} \end{aligned} \tag{2} $$
 
 The terms of {{eq 1}} have one odd factor more than these, squared above as well as below. Factors above come
 by differentiating. So he divides by $v$, which makes the powers odd,
@@ -31,9 +31,10 @@ $$ \frac{l2}{v} - \frac{l\left(1+\sqrt{1-vv}\right)}{v} = \frac1{2^2}v + \frac{1
 
 and differentiates. On the left this gives, without the $dv$,
 
-$$ -\frac{l2}{vv} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right) + \frac1{\left(1+\sqrt{1-vv}\right)\sqrt{1-vv}},
-     \qquad
-   \frac1{\left(1+\sqrt{1-vv}\right)\sqrt{1-vv}} = \frac1{vv\sqrt{1-vv}} - \frac1{vv}, \tag{4} $$
+$$ \begin{gathered} -\frac{l2}{vv} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right)
+   + \frac1{\left(1+\sqrt{1-vv}\right)\sqrt{1-vv}}, \\
+   \frac1{\left(1+\sqrt{1-vv}\right)\sqrt{1-vv}} = \frac1{vv\sqrt{1-vv}} - \frac1{vv},
+   \end{gathered} \tag{4} $$
 
 so that the left side, for which the next section writes $V$, has three parts,
 

@@ -12,9 +12,9 @@ using pendulum::root_of, pendulum::V, pendulum::W;
 The series $V$ of {{sec pendulum.23}} has the right factors above; multiplied by $\frac{dv}{v}$ and integrated
 it gets the missing ones below as well,
 
-$$ \int\frac{V\,dv}{v} = \frac1{2^2}\,lv + \frac{1\cdot3^2}{2^2\cdot4^2}vv +
-     \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2}v^4
-   + \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}v^6 + \text{etc.} \tag{1} $$
+$$ \begin{aligned} \int\frac{V\,dv}{v} = \frac1{2^2}\,lv &+ \frac{1\cdot3^2}{2^2\cdot4^2}vv
+   + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2}v^4 \\
+   &+ \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}v^6 + \text{etc.} \end{aligned} \tag{1} $$
 
 So the sum of the third column is $\int\frac{V\,dv}{v} - \frac14\,lv$, with 1 put for $v$. It remains to
 integrate the three parts of which $V$ consists. The first gives
@@ -29,18 +29,19 @@ $$ \int\frac{dv}{v^3\sqrt{1-vv}} = -\frac{\sqrt{1-vv}}{2vv} - \tfrac12\,l\left(1
 The third he reduces by the well-known rule for a product, and since the differential of $l(1+\sqrt{1-vv})$ is
 $-\frac{dv}{v}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}$,
 
-$$ \int\frac{dv}{v^3}\,l\left(1+\sqrt{1-vv}\right) = -\frac{1}{2vv}\,l\left(1+\sqrt{1-vv}\right)
-   - \tfrac12\int\frac{dv}{v^3}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}. \tag{4} $$
+$$ \begin{aligned} \int\frac{dv}{v^3}\,l\left(1+\sqrt{1-vv}\right)
+   = &-\frac{1}{2vv}\,l\left(1+\sqrt{1-vv}\right) \\
+   &- \tfrac12\int\frac{dv}{v^3}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}. \end{aligned} \tag{4} $$
 
 The last integral is {{eq 3}} less that of $\frac{dv}{v^3}$. Therefore the third part is
 
-$$ -\frac1{2vv}\,l\left(1+\sqrt{1-vv}\right) + \frac{\sqrt{1-vv}}{4vv} +
-     \tfrac14\,l\left(1+\sqrt{1-vv}\right) - \tfrac14\,lv - \frac1{4vv}, \tag{5} $$
+$$ \begin{aligned} -\frac1{2vv}\,l\left(1+\sqrt{1-vv}\right) &+ \frac{\sqrt{1-vv}}{4vv} \\
+   &+ \tfrac14\,l\left(1+\sqrt{1-vv}\right) - \tfrac14\,lv - \frac1{4vv}, \end{aligned} \tag{5} $$
 
 and all parts together, with a constant that is still open,
 
-$$ \tfrac14\,lv + \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv} - \left(\frac14 + \frac1{2vv}\right)
-     l\left(1+\sqrt{1-vv}\right) + C. \tag{6} $$
+$$ \begin{aligned} \tfrac14\,lv + \frac{1+2l2}{4vv} &- \frac{\sqrt{1-vv}}{4vv} \\
+   &- \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right) + C. \end{aligned} \tag{6} $$
 
 ::: margin
 The sum is wanted for $v = 1$ only, but for every other $v$ the same function gives the time of a descent that

@@ -8,11 +8,11 @@ using pendulum::D, pendulum::half_versine, pendulum::root_of, pendulum::W;
 /*!
 ## What Euler does
 
-Every part of the integral is infinite at the place where the whole must vanish. With the constant that
-makes the whole vanish with $v$, {{sec pendulum.24}} has led to
+Every part of the integral is infinite at the place where the whole must vanish. With the constant that is to
+bring this about, {{sec pendulum.24}} has led to
 
-$$ \int\frac{V\,dv}{v} - \tfrac14\,lv = C + \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv}
-   - \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right), \tag{1} $$
+$$ \begin{aligned} \int\frac{V\,dv}{v} - \tfrac14\,lv = C &+ \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv} \\
+   &- \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right), \end{aligned} \tag{1} $$
 
 and with $v = 1$ this will be the sum of the third column. But first there is an inconvenience. The constant
 must be such that the expression vanishes at $v = 0$; and when one puts $v = 0$, all parts grow to infinity.

@@ -16,8 +16,9 @@ $$ -\frac{\sqrt{1-vv}}{4vv} = -\frac1{4vv} + \frac18. \tag{1} $$
 
 Then
 
-$$ l\left(1+\sqrt{1-vv}\right) = l\left(2 - \tfrac12vv\right) = l2 + l\left(1 - \tfrac14vv\right), \qquad
-   l\left(1 - \tfrac14vv\right) = -\tfrac14vv, \tag{2} $$
+$$ \begin{gathered} l\left(1+\sqrt{1-vv}\right) = l\left(2 - \tfrac12vv\right)
+   = l2 + l\left(1 - \tfrac14vv\right), \\
+   l\left(1 - \tfrac14vv\right) = -\tfrac14vv, \end{gathered} \tag{2} $$
 
 so that $l\left(1+\sqrt{1-vv}\right) = l2 - \frac14vv$. With these put in, the expression that is to vanish
 takes the form
@@ -105,8 +106,8 @@ That nothing is wrong with conceiving $v$ infinitely small is seen when the seri
 Four times $vv$ times the expression is a power series in exact fractions, once $l2$ has been set apart; and
 apart from $l2$ it is
 
-$$ 1 - \sqrt{1-vv} - (2 + vv)\,l\,\tfrac12\left(1+\sqrt{1-vv}\right), \qquad\text{with } l2:\quad 2 - (2 +
-     vv) = -vv. \tag{5} $$
+$$ \begin{gathered} 1 - \sqrt{1-vv} - (2 + vv)\,l\,\tfrac12\left(1+\sqrt{1-vv}\right), \\
+   \text{with } l2:\quad 2 - (2 + vv) = -vv. \end{gathered} \tag{5} $$
 */
 
 using Formal = exact::Series<Rational>;

@@ -13,14 +13,15 @@ using pendulum::root_of, pendulum::W;
 The third column of the array sums to three quarters of the logarithm of two. With the constant of
 {{sec pendulum.26}} nothing is open any more. The function that belongs to the third column is
 
-$$ \int\frac{V\,dv}{v} - \tfrac14\,lv = \tfrac14\,l2 - \tfrac14 + \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv}
-   - \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right), \tag{1} $$
+$$ \begin{aligned} \int\frac{V\,dv}{v} - \tfrac14\,lv = \tfrac14\,l2 - \tfrac14 &+ \frac{1+2l2}{4vv}
+   - \frac{\sqrt{1-vv}}{4vv} \\
+   &- \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right), \end{aligned} \tag{1} $$
 
 and when 1 is put for $v$ the root vanishes, its logarithm with it, and the sum of the series appears,
 
-$$ \frac{1\cdot3^2}{2^2\cdot4^2} + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2} +
-     \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}
-   + \text{etc.} = \tfrac14\,l2 - \tfrac14 + \tfrac14 + \tfrac12\,l2 = \tfrac34\,l2. \tag{2} $$
+$$ \begin{aligned} \frac{1\cdot3^2}{2^2\cdot4^2} &+ \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2}
+   + \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2} + \text{etc.} \\
+   &= \tfrac14\,l2 - \tfrac14 + \tfrac14 + \tfrac12\,l2 = \tfrac34\,l2. \end{aligned} \tag{2} $$
 
 So the whole third column of the array of {{sec pendulum.21}}, all of whose terms have the factor
 $\cos\alpha\sin^2\alpha$, turns into the simple expression

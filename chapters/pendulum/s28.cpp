@@ -13,9 +13,9 @@ using pendulum::sum_by_columns, pendulum::sum_with_one_logarithm;
 /*!
 ## What Euler does
 
-In the same way, he says, the series in the fourth column could be summed, but the calculation would be much
-more laborious and tedious than that for the third; and one may well be spared it. For that column has the
-factor $\cos\alpha\sin^4\alpha$, and since $\alpha = \frac12\eta$ and the angle η is supposed to be small
+The series in the fourth column, Euler says, could be summed in the same way, but the calculation would be
+much more laborious and tedious than that for the third; and one may well be spared it. For that column has
+the factor $\cos\alpha\sin^4\alpha$, and since $\alpha = \frac12\eta$ and the angle η is supposed to be small
 enough, the fourth power of the sine makes it so small that it can safely be neglected. For the rest it seems
 to him rather probable that the coefficient will again turn out to be of the form
 
