@@ -399,7 +399,7 @@ std::string with_unit(std::string number, const Unit& unit)
 {
   const std::string symbol = unit.symbol;
   if(!symbol.empty())
-    number += symbol == "°" ? symbol : " " + symbol;
+    number += symbol == "°" || symbol == "′" || symbol == "″" ? symbol : " " + symbol;
   return number;
 }
 
