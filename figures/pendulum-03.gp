@@ -10,7 +10,7 @@ unset tics
 unset grid
 set xrange [-1.7:1.7]
 set yrange [-2.5:0.25]
-set object circle at 0, 0 size 0.025 fillcolor rgb ink fillstyle solid front
+set label at 0, 0 "" point linetype 7 pointsize 0.7
 set arrow from 0, 0 to gx, gy nohead linetype 7 linewidth 2.2
 set object circle at gx, gy size k fillstyle empty border rgb blue
 set arrow from gx, gy to gx - k, gy nohead linetype 1
@@ -20,5 +20,5 @@ set label "a" at gx / 2 + 0.1, gy / 2 left
 set label "k" at gx - k / 2, gy - 0.13 center textcolor linetype 1
 set label "the whole mass, spread here" at gx - 0.84 * k, gy - 0.75 * k right textcolor linetype 1
 plot tsv("pendulum-03.body") every ::0::2 using (gx):(gy):(column("x") - gx):(column("y") - gy) with vectors nohead linetype 6, \
-     "" every ::0::2 using "x":"y":(0.1 * column("size")) with circles linetype 7 fillstyle solid, \
+     "" every ::0::2 using "x":"y":(2.2 * column("size")) with points linetype 7 pointsize variable, \
      "" every ::3::3 using "x":"y" with points linetype 7 pointsize 0.7

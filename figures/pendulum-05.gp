@@ -12,7 +12,7 @@ set label "G" at 0.64, -0.83 center
 set label "g" at 0.745, -0.73 center
 set label "Φ" at 0.1, -0.32 center textcolor linetype 1
 set label "dΦ" at 0.40, -0.345 left textcolor linetype 1
-set object circle at 0, 0 size 0.012 fillcolor rgb ink fillstyle solid front
+set label at 0, 0 "" point linetype 7 pointsize 0.7
 plot tsv("pendulum-05.fig_2") every :::0::0 using "x":"y" with lines linetype 7, \
      "" every :::1::1 using "x":"y" with lines linetype 7 linewidth 2.2, \
      "" every :::2::2 using "x":"y" with lines linetype 7, \

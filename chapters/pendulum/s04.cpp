@@ -43,8 +43,8 @@ That is why he may look for one of the two times only and, in {{sec pendulum.02}
 ## The program
 
 The moment is one product. Near the top, though, the sine is that of an angle whose rounding is larger than
-itself: no double is nearer to 180° than $1{,}2\cdot10^{-16}$. The sine of an angle and of what it lacks to
-180° are the same, so the smaller of the two is taken.
+itself: no double comes nearer to 180° than some $10^{-16}$. The sine of an angle and of what it lacks to 180°
+are the same, so the smaller of the two is taken.
 */
 
 double moment(double M, double a, double phi)  // (1)

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_ellint.h>
@@ -141,6 +143,7 @@ TELL
   tell("t_zeta", unit * swing::quarter_time(zeta), seconds, "the whole ascent, half an oscillation");
   tell("share", u / swing::quarter_time(zeta), percent, "of the ascent's time has gone when Φ is reached");
   tell("u", u, "t√(2g)/√b, the integral (5) up to z");
+  
 }
 
 TELL
@@ -164,6 +167,8 @@ TELL
     return;  // 180° less that is 180° even in fifty digits
   const Fifty eta = zeta.zeta < zeta.eta ? exact::pi() - swing_.zeta.fifty() : swing_.eta.fifty();
   const bool at_rest = at == zeta.zeta;
+  const Fifty last = oracle::time_from_rest_past(std::min(1e-12, zeta.zeta), eta);
+  tell("last", static_cast<double>(last), "what the last 10⁻¹² of a radian before ζ take, in the same unit");
   const Fifty K = oracle::K_from_complement(sin(eta / 2));
   race("t", "t√(2g)/√b", at_rest ? K : oracle::time_from_bottom(phi.fifty(), eta), ways);
 }
@@ -245,10 +250,10 @@ CHECK_THAT("all ways lead to the same time, below and above the right angle")
 }
 
 /*!
-The last $10^{-12}$ of a radian before the turning point take $1{,}4\cdot10^{-6}$ of the unit, for the
-pendulum hardly moves there. As the difference of two times that number is lost for the greater part; with
-{{eq 2}} taken at its word, $cc$ less $zz$, nearly so. Begun at the turning point, by {{sec pendulum.14}}, the
-integral has all its digits.
+The last $10^{-12}$ of a radian before the turning point take {{last|e2}} of the unit, for the pendulum hardly
+moves there. As the difference of two times that number is lost for the greater part; with {{eq 2}} taken at
+its word, $cc$ less $zz$, nearly so. Begun at the turning point, by {{sec pendulum.14}}, the integral has all
+its digits.
 */
 
 CHECK_THAT("the last moments of the ascent are known only from the turning point")
