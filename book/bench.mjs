@@ -1,5 +1,5 @@
-// Times everything anew and records it for the book: every section that has a race, and the library against its peers.
-// Usage: node bench.mjs BUILD SPEEDS (the build folder, and book/speeds).
+// Times everything anew and records it for the book: every section that has a race, and the library against
+// its peers. Usage: node bench.mjs BUILD SPEEDS (the build folder, and book/speeds).
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -7,19 +7,37 @@ import path from 'node:path';
 
 const [build, speeds] = process.argv.slice(2);
 const bin = path.join(build, 'bin');
-const run = (program, ...options) => JSON.parse(execFileSync(path.join(bin, program), options, { encoding: 'utf8' }));
+const run = (program, ...options) =>
+  JSON.parse(execFileSync(path.join(bin, program), options, { encoding: 'utf8' }));
 const { compiler, flags } = JSON.parse(fs.readFileSync(path.join(build, 'book/made-with.json'), 'utf8'));
 const record = (name, measured) => {
-  const made = { machine: `${os.cpus()[0].model.trim()}, one core of ${os.cpus().length}`, compiler, flags, ...measured };
+  const made = {
+    machine: `${os.cpus()[0].model.trim()}, one core of ${os.cpus().length}`,
+    compiler,
+    flags,
+    ...measured,
+  };
   fs.writeFileSync(path.join(speeds, `${name}.json`), `${JSON.stringify(made, null, 1)}\n`);
   console.log(`recorded ${name}`);
 };
-const short = ({ name, seconds, ratio }) => ({ name, seconds: Number(seconds.toPrecision(4)), ratio: Number(ratio.toPrecision(4)) });
+const short = ({ name, seconds, ratio }) => ({
+  name,
+  seconds: Number(seconds.toPrecision(4)),
+  ratio: Number(ratio.toPrecision(4)),
+});
 
 fs.mkdirSync(speeds, { recursive: true });
-for (const program of fs.readdirSync(bin).filter((f) => /^[a-z]+-\d\d$/.test(f)).sort())
+for (const program of fs
+  .readdirSync(bin)
+  .filter((f) => /^[a-z]+-\d\d$/.test(f))
+  .sort())
   if (run(program, '--json').races.length)
-    record(program, { races: run(program, '--bench', '--json').races.map(({ name, methods }) => ({ name, methods: methods.map(short) })) });
+    record(program, {
+      races: run(program, '--bench', '--json').races.map(({ name, methods }) => ({
+        name,
+        methods: methods.map(short),
+      })),
+    });
 if (fs.existsSync(path.join(bin, 'bench-swing'))) {
   const { scenes } = run('bench-swing', '--json');
   record('swing', { scenes });

@@ -1,8 +1,9 @@
-# Lets a section's program speak, and keeps what it says in TOLD: NAME.txt, NAME.json, its data, and last NAME.check.json.
+# Lets a section's program speak, and keeps it in TOLD: NAME.txt, NAME.json, its data, NAME.check.json.
 cmake_minimum_required(VERSION 3.22)
 function(hear file)
   execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${TOLD}/${file} RESULT_VARIABLE status)
-  if(NOT status EQUAL 0 AND NOT (status EQUAL 1 AND "--check" IN_LIST ARGN))  # a check that fails is told as failing
+  # A check that fails is told as failing.
+  if(NOT status EQUAL 0 AND NOT (status EQUAL 1 AND "--check" IN_LIST ARGN))
     message(FATAL_ERROR "${NAME} ${ARGN} ended with ${status}")
   endif()
 endfunction()

@@ -1,6 +1,6 @@
-// Finishes what Doxygen made: puts every page into book/page.html with contents, previous and next; sets the formulae of
-// the library's pages; turns code into <pre>; links comments to formulae and prose to the library; checks every link;
-// writes the index for the search. Usage: node finish.mjs SOURCE BUILD.
+// Finishes what Doxygen made: puts every page into book/page.html with contents, previous and next; sets the
+// formulae of the library's pages; turns code into <pre>; links comments to formulae and prose to the
+// library; checks every link; writes the index for the search. Usage: node finish.mjs SOURCE BUILD.
 import fs from 'node:fs';
 import path from 'node:path';
 import { palette, paletteCss } from './figure.mjs';
@@ -17,7 +17,11 @@ const read = (...file) => fs.readFileSync(path.join(...file), 'utf8');
 const site = path.join(build, 'html');
 const from = path.join(build, 'doxygen');
 const pages = JSON.parse(read(build, 'pages.json'));
-pages.splice(pages.findIndex((p) => p.name === 'colophon'), 0, { name: 'namespaces', title: 'The library' });
+pages.splice(
+  pages.findIndex((p) => p.name === 'colophon'),
+  0,
+  { name: 'namespaces', title: 'The library' },
+);
 const chapters = JSON.parse(read(source, 'book/edition.json')).chapters;
 const template = read(source, 'book/page.html');
 const formulas = new Formulas(path.join(build, 'formulas-of-library.json'));
@@ -29,80 +33,147 @@ function write(name, text) {
   fs.writeFileSync(file, text);
 }
 
-const unescape = (text) => text.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&#39;/g, "'").replace(/&#160;|&nbsp;/g, ' ').replace(/&amp;/g, '&');
-const words = (html) => unescape(html.replace(/<span class="katex-mathml">[^]*?<\/math><\/span>/g, '').replace(/<[^>]+>/g, ' ')).replace(/\s+/g, ' ').trim();
+const unescape = (text) =>
+  text
+    .replace(/&lt;/g, '<')
+    .replace(/&gt;/g, '>')
+    .replace(/&quot;/g, '"')
+    .replace(/&#39;/g, "'")
+    .replace(/&#160;|&nbsp;/g, ' ')
+    .replace(/&amp;/g, '&');
+const words = (html) =>
+  unescape(html.replace(/<span class="katex-mathml">[^]*?<\/math><\/span>/g, '').replace(/<[^>]+>/g, ' '))
+    .replace(/\s+/g, ' ')
+    .trim();
 
-// ------------------------------------------------------------------------------------------------------- the library
+// ----------------------------------------------------------------------------------------------- the library
 
 /** Where Doxygen put the members of the library: qualified name to address. */
 const api = new Map();
-for (const [, kind, compound] of read(build, 'book.tag').matchAll(/<compound kind="(namespace|class|struct|concept)"[^>]*>([^]*?)<\/compound>/g)) {
+for (const [, kind, compound] of read(build, 'book.tag').matchAll(
+  /<compound kind="(namespace|class|struct|concept)"[^>]*>([^]*?)<\/compound>/g,
+)) {
   const name = unescape(/<name>([^<]*)<\/name>/.exec(compound)[1]);
   const file = /<filename>([^<]*)<\/filename>/.exec(compound)[1];
   api.set(name, `${file}${/\.html$/.test(file) ? '' : '.html'}`);
   if (kind === 'concept') continue;
   for (const [, member] of compound.matchAll(/<member [^>]*>([^]*?)<\/member>/g)) {
-    const [own, anchorFile, anchor] = ['name', 'anchorfile', 'anchor'].map((t) => new RegExp(`<${t}>([^<]*)</${t}>`).exec(member)?.[1]);
-    if (!api.has(`${name}::${unescape(own)}`)) api.set(`${name}::${unescape(own)}`, `${anchorFile}#${anchor}`);
+    const [own, anchorFile, anchor] = ['name', 'anchorfile', 'anchor'].map(
+      (t) => new RegExp(`<${t}>([^<]*)</${t}>`).exec(member)?.[1],
+    );
+    if (!api.has(`${name}::${unescape(own)}`))
+      api.set(`${name}::${unescape(own)}`, `${anchorFile}#${anchor}`);
   }
 }
 
-// --------------------------------------------------------------------------------------------- from Doxygen to a page
+// ------------------------------------------------------------------------------------ from Doxygen to a page
 
 /** A listing: lines in a <pre>, comments `// (n)` linked to the formula that they name. */
 function listing(html, seen) {
-  const lines = [...html.matchAll(/<div class="line">(?:<a [^>]*id="l\d+"[^>]*><\/a>)?(?:<span class="lineno">[^]*?<\/span>)?([^]*?)<\/div>/g)].map((m) => m[1]);
-  const linked = lines.map((line) => line.replace(/<a [^>]*>(std::\w+)<\/a>/g, '$1').replace(/<span class="comment">\/\/ \(\w+\)[^]*?<\/span>/, (comment) => comment.replace(/\((\w+)\)/g, (all, n) => {
-    if (!seen.equations.has(n)) return all;
-    const id = seen.coded.has(n) ? '' : ` id="code-${n}"`;
-    seen.coded.add(n);
-    return `<a class="eqref"${id} href="#eq-${n}">(${n})</a>`;
-  })));
+  const lines = [
+    ...html.matchAll(
+      /<div class="line">([^]*?)<\/div>/g,
+    ),
+  ].map((m) => m[1]);
+  const linked = lines.map((line) =>
+    line
+      .replace(/<a [^>]*>(std::\w+)<\/a>/g, '$1')
+      .replace(/<span class="comment">\/\/ \(\w+\)[^]*?<\/span>/, (comment) =>
+        comment.replace(/\((\w+)\)/g, (all, n) => {
+          if (!seen.equations.has(n)) return all;
+          const id = seen.coded.has(n) ? '' : ` id="code-${n}"`;
+          seen.coded.add(n);
+          return `<a class="eqref"${id} href="#eq-${n}">(${n})</a>`;
+        }),
+      ),
+  );
   const longest = Math.max(...lines.map((l) => words(l.replace(/ /g, '.')).length));
-  return `<pre class="code${longest > 74 ? ' wide' : ''}" tabindex="0" role="group" aria-label="Code"><code>${linked.join('\n').trimEnd()}</code></pre>`;
+  return `<pre class="code${longest > 74 ? ' wide' : ''}" tabindex="0" role="group" aria-label="Code">` +
+  `<code>${linked.join('\n').trimEnd()}</code></pre>`;
 }
 
 function mathematics(html, file) {
   const set = (tex, display) => {
-    try { return formulas.set(unescape(tex), display); } catch (error) { throw new Error(`${file}: ${error.message}`); }
+    try {
+      return formulas.set(unescape(tex), display);
+    } catch (error) {
+      throw new Error(`${file}: ${error.message}`);
+    }
   };
-  return html.replace(/\\\[([^]*?)\\\]/g, (_, tex) => `<span class="equation">${set(tex, true)}</span>`).replace(/\\\(([^]*?)\\\)/g, (_, tex) => set(tex, false));
+  return html
+    .replace(/\\\[([^]*?)\\\]/g, (_, tex) => `<span class="equation">${set(tex, true)}</span>`)
+    .replace(/\\\(([^]*?)\\\)/g, (_, tex) => set(tex, false));
 }
 
 /** Doxygen's own pages: headings in order, tables of layout named as such, no traces of its scripts. */
 function repaired(html, title) {
-  return `<header class="opening">${title === 'The library' ? '' : '<p class="running"><a href="namespaces.html">The library</a></p>'}<h1>${title}</h1></header>\n` + html
-    .replace(/<div class="summary">[^]*?<\/div>/g, '')
-    .replace(/<h2 class="memtitle">([^]*?)<\/h2>/g, (_, t) => `<h3 class="memtitle">${t.replace(/<span class="permalink">[^]*?<\/span>/, '').replace(/<span class="overload">[^]*?<\/span>/, '')}</h3>`)
-    .replace(/<table class="(memberdecls|memname|mlabels|directory|params|exception|retval|fieldtable)"/g, (all, c) => (/param|exc|ret|field/.test(c) ? all : `<table role="presentation" class="${c}"`))
-    .replace(/<tr class="heading"><td colspan="2"><h2 class="groupheader">([^]*?)<\/h2><\/td><\/tr>/g, (_, t) => `<tr class="heading"><td colspan="2"><h2>${t}</h2></td></tr>`)
-    .replace(/<tr class="(?:separator|inherit_header)[^]*?<\/tr>/g, '')
-    .replace(/<a (?:name|id)="details" id="details"><\/a>|<a id="details" name="details"><\/a>/, '<a id="details"></a>')
-    .replace(/<pre class="fragment">/g, '<pre class="code" tabindex="0" role="group" aria-label="Formulae">')
-    .replace(/ on(?:click|mouse\w+)="[^"]*"/g, '')
-    .replace(/<a id="([^"]*)" name="\1"><\/a>/g, '<a id="$1"></a>')
-    .replace(/<dl class="section (?:see|return|note|pre|post|warning|remark|author|since)"/g, '<dl class="section"')
-    .replace(/<h1>(?!<)/g, '<h2>').replace(/<\/h1>(?!<\/header>)/g, (t) => t);
+  return (
+    `<header class="opening">` +
+    `${title === 'The library' ? '' : '<p class="running"><a href="namespaces.html">The library</a></p>'}` +
+    `<h1>${title}</h1></header>\n` +
+    html
+      .replace(/<div class="summary">[^]*?<\/div>/g, '')
+      .replace(
+        /<h2 class="memtitle">([^]*?)<\/h2>/g,
+        (_, t) =>
+          `<h3 class="memtitle">` +
+          `${t.replace(/<span class="(?:permalink|overload)">[^]*?<\/span>/g, '')}</h3>`,
+      )
+      .replace(
+        /<table class="(memberdecls|memname|mlabels|directory|params|exception|retval|fieldtable)"/g,
+        (all, c) => (/param|exc|ret|field/.test(c) ? all : `<table role="presentation" class="${c}"`),
+      )
+      .replace(
+        /<tr class="heading"><td colspan="2"><h2 class="groupheader">([^]*?)<\/h2><\/td><\/tr>/g,
+        (_, t) => `<tr class="heading"><td colspan="2"><h2>${t}</h2></td></tr>`,
+      )
+      .replace(/<tr class="(?:separator|inherit_header)[^]*?<\/tr>/g, '')
+      .replace(
+        /<a (?:name|id)="details" id="details"><\/a>|<a id="details" name="details"><\/a>/,
+        '<a id="details"></a>',
+      )
+      .replace(
+        /<pre class="fragment">/g,
+        '<pre class="code" tabindex="0" role="group" aria-label="Formulae">',
+      )
+      .replace(/ on(?:click|mouse\w+)="[^"]*"/g, '')
+      .replace(/<a id="([^"]*)" name="\1"><\/a>/g, '<a id="$1"></a>')
+      .replace(
+        /<dl class="section (?:see|return|note|pre|post|warning|remark|author|since)"/g,
+        '<dl class="section"',
+      )
+      .replace(/<h1>(?!<)/g, '<h2>')
+      .replace(/<\/h1>(?!<\/header>)/g, (t) => t)
+  );
 }
 
 function contents(current) {
   const item = (p) => {
     const here = p.name === current.name;
-    const outline = here && p.number && p.outline?.length ? `<ul>${p.outline.map((h) => `<li><a href="#${slug(h)}">${escape(h)}</a></li>`).join('')}</ul>` : '';
-    return `<li>${`<a href="${p.name}.html"${here ? ' aria-current="page"' : ''}>`}${p.number ? `<span class="n">${p.number}</span> ` : ''}${escape(p.title)}</a>${outline}</li>`;
+    const outline =
+      here && p.number && p.outline?.length
+        ? `<ul>${p.outline.map((h) => `<li><a href="#${slug(h)}">${escape(h)}</a></li>`).join('')}</ul>`
+        : '';
+    return `<li>${`<a href="${p.name}.html"${here ? ' aria-current="page"' : ''}>`}` +
+    `${p.number ? `<span class="n">${p.number}</span> ` : ''}${escape(p.title)}</a>${outline}</li>`;
   };
   const plain = (list) => `<ul>\n${list.map(item).join('\n')}\n</ul>`;
   const first = pages.findIndex((p) => p.chapter);
   const last = pages.findLastIndex((p) => p.chapter);
   const middle = chapters.map((c) => {
     const [opening, ...sections] = pages.filter((p) => p.chapter === c.id);
-    return `<details${current.chapter === c.id ? ' open' : ''}><summary>${escape(c.short)}</summary>\n${plain([{ ...opening, title: 'Opening and map' }, ...sections])}</details>`;
+    return `<details${current.chapter === c.id ? ' open' : ''}><summary>${escape(c.short)}</summary>\n` +
+    `${plain([{ ...opening, title: 'Opening and map' }, ...sections])}</details>`;
   });
   return `${plain(pages.slice(0, first))}\n${middle.join('\n')}\n${plain(pages.slice(last + 1))}`;
 }
 
 function turn(index) {
-  const link = (p, rel, word) => (p ? `<a rel="${rel}" href="${p.name}.html"><span class="way">${word}</span> ${p.number ? `§ ${p.number}. ` : ''}${escape(p.title)}</a>` : '<span></span>');
+  const link = (p, rel, word) =>
+    p
+      ? `<a rel="${rel}" href="${p.name}.html"><span class="way">${word}</span> ` +
+      `${p.number ? `§ ${p.number}. ` : ''}${escape(p.title)}</a>`
+      : '<span></span>';
   return index < 0 ? '' : link(pages[index - 1], 'prev', 'Previous') + link(pages[index + 1], 'next', 'Next');
 }
 
@@ -110,21 +181,42 @@ const documents = [];
 const made = new Map(); // page to the ids in it
 
 /** Doxygen's pages that the book does without: lists of lists. */
-const spare = /^(?:dir_\w+|.*-members|annotated|classes|functions\w*|globals\w*|files|hierarchy|pages|namespacemembers\w*)\.html/;
+const spare =
+  /^(?:(?:dir_|functions|globals|namespacem)\w*|.*-members|annotated|classes|files|hierarchy|pages)\.html/;
 
-for (const file of fs.readdirSync(from).filter((f) => f.endsWith('.html') && !spare.test(f)).sort()) {
+for (const file of fs
+  .readdirSync(from)
+  .filter((f) => f.endsWith('.html') && !spare.test(f))
+  .sort()) {
   const name = file.slice(0, -5);
   const raw = read(from, file);
   const index = pages.findIndex((p) => p.name === name);
   const ours = fs.existsSync(path.join(build, `dox/${name}.dox`));
   const page = pages[index] ?? { name };
-  const title = page.title ?? unescape(/<title>([^]*?)<\/title>/.exec(raw)[1].replace(/^Euler on Oscillation: /, '').replace(/ (Namespace|Struct|Class|File|Concept)( Template)? Reference$/, ''));
+  const title =
+    page.title ??
+    unescape(
+      /<title>([^]*?)<\/title>/
+        .exec(raw)[1]
+        .replace(/^Euler on Oscillation: /, '')
+        .replace(/ (Namespace|Struct|Class|File|Concept)( Template)? Reference$/, ''),
+    );
   let body = raw.slice(raw.indexOf('<body>') + 6, raw.lastIndexOf('</body>')).replace(/<!--[^]*?-->/g, '');
-  body = body.replace(/<div id="nav-path"[^]*?<\/ul>\s*<\/div>/, '').replace(/<div class="(?:PageDoc"><div class=")?header">[^]*?(?=<div class="contents">)/, '');
-  const seen = { equations: new Set([...body.matchAll(/id="eq-([^"]+)"/g)].map((m) => m[1])), coded: new Set() };
-  body = body.replace(/<div class="fragment">((?:<div class="line">[^]*?<\/div>\s*)*)<\/div>(?:<!-- fragment -->)?/g, (_, lines) => listing(lines, seen));
+  body = body
+    .replace(/<div id="nav-path"[^]*?<\/ul>\s*<\/div>/, '')
+    .replace(/<div class="(?:PageDoc"><div class=")?header">[^]*?(?=<div class="contents">)/, '');
+  const seen = {
+    equations: new Set([...body.matchAll(/id="eq-([^"]+)"/g)].map((m) => m[1])),
+    coded: new Set(),
+  };
+  body = body.replace(
+    /<div class="fragment">((?:<div class="line">[^]*?<\/div>\s*)*)<\/div>(?:<!-- fragment -->)?/g,
+    (_, lines) => listing(lines, seen),
+  );
   body = body.replace(/<div class="ttc"[^>]*>(?:<div[^>]*>[^]*?<\/div>)*<\/div>/g, '');
-  body = body.replace(/<a [^>]*href="([^"]*)"[^>]*>([^]*?)<\/a>/g, (all, to, text) => (spare.test(to) ? text : all));
+  body = body.replace(/<a [^>]*href="([^"]*)"[^>]*>([^]*?)<\/a>/g, (all, to, text) =>
+    spare.test(to) ? text : all,
+  );
   body = body.replace(/<p>\s*<\/p>/g, '').replace(/<p>(?=\s*<(?:pre|div|section|figure|header|h2))/g, '');
   if (!ours) body = repaired(mathematics(body, file), escape(title));
   body = body.replace(/<a class="api" data-api="([^"]*)">/g, (_, what) => {
@@ -135,55 +227,98 @@ for (const file of fs.readdirSync(from).filter((f) => f.endsWith('.html') && !sp
   const text = words(body.replace(/<pre[^]*?<\/pre>|<svg[^]*?<\/svg>|<header[^]*?<\/header>/g, ' '));
   const first = /^(?:What Euler does )?(.{1,200}?)(?:[.!?](?= )|$| (?=\S*$))/.exec(text)?.[1] ?? title;
   const fill = {
-    title: name === 'index' ? escape(title) : `${page.number ? `§ ${page.number}. ` : ''}${escape(title)} · Euler on Oscillation`,
-    description: escape(first), kind: page.number ? 'section' : page.chapter ? 'chapter' : ours ? 'matter' : 'library',
-    body: body.trim(), turn: turn(index), contents: contents(page),
+    title:
+      name === 'index'
+        ? escape(title)
+        : `${page.number ? `§ ${page.number}. ` : ''}${escape(title)} · Euler on Oscillation`,
+    description: escape(first),
+    kind: page.number ? 'section' : page.chapter ? 'chapter' : ours ? 'matter' : 'library',
+    body: body.trim(),
+    turn: turn(index),
+    contents: contents(page),
   };
   const html = template.replace(/\{(title|description|kind|body|turn|contents)\}/g, (_, key) => fill[key]);
   write(file, html);
   made.set(file, new Set([...html.matchAll(/\bid="([^"]+)"/g)].map((m) => m[1])));
-  if (name !== 'search') documents.push({ id: documents.length, page: file, title: `${page.number ? `${chapters.find((c) => c.id === page.chapter).short} § ${page.number}. ` : ''}${title}`, text });
+  const chapter = chapters.find((c) => c.id === page.chapter);
+  if (name !== 'search')
+    documents.push({
+      id: documents.length,
+      page: file,
+      title: `${page.number ? `${chapter.short} § ${page.number}. ` : ''}${title}`,
+      text,
+    });
 }
 
-// ----------------------------------------------------------------------------------------------- search, links, files
+// -------------------------------------------------------------------------------------- search, links, files
 
 const { folded, options } = await import('./search.mjs');
 const MiniSearch = packages('minisearch');
 const index = new MiniSearch({ ...options, processTerm: folded });
 index.addAll(documents);
 write('search-index.js', `window.bookIndex = ${JSON.stringify(index)};\n`);
-const umd = fs.readFileSync(packages.resolve('minisearch').replace(/dist.*/, 'dist/umd/index.js'), 'utf8').replace(/\n?\/\/# sourceMappingURL.*\n?/, '\n');
+const umd = fs
+  .readFileSync(packages.resolve('minisearch').replace(/dist.*/, 'dist/umd/index.js'), 'utf8')
+  .replace(/\n?\/\/# sourceMappingURL.*\n?/, '\n');
 write('minisearch.js', umd);
 write('search.js', read(source, 'book/search.mjs').replace(/^export /gm, ''));
 write('book.js', read(source, 'book/book.js'));
 
-/** The faces that most pages need are put into the style sheets themselves: so they are there when the first line is laid out. */
-const woven = (css, folder, faces) => css.replace(/url\((?:fonts\/)([\w-]+)\.woff2\)/g, (all, face) => (faces.test(face)
-  ? `url(data:font/woff2;base64,${fs.readFileSync(path.join(folder, `${face}.woff2`)).toString('base64')})` : all));
+/**
+ * The faces that most pages need are put into the style sheets themselves: so they are there when the first
+ * line is laid out.
+ */
+const woven = (css, folder, faces) =>
+  css.replace(/url\((?:fonts\/)([\w-]+)\.woff2\)/g, (all, face) =>
+    faces.test(face)
+      ? `url(data:font/woff2;base64,` +
+      `${fs.readFileSync(path.join(folder, `${face}.woff2`)).toString('base64')})`
+      : all,
+  );
 const colours = palette(read(source, 'figures/style.gp'));
-const style = read(source, 'book/style.css').replace('/*light*/', paletteCss(colours, 'light')).replace('/*dark*/', paletteCss(colours, 'dark'));
-write('style.css', woven(style, path.join(site, 'fonts'), /^(EBGaramond12-(Regular|Italic)|JetBrainsMono-Regular)$/));
+const style = read(source, 'book/style.css')
+  .replace('/*light*/', paletteCss(colours, 'light'))
+  .replace('/*dark*/', paletteCss(colours, 'dark'));
+write(
+  'style.css',
+  woven(style, path.join(site, 'fonts'), /^(EBGaramond12-(Regular|Italic)|JetBrainsMono-Regular)$/),
+);
 const katex = path.dirname(packages.resolve('katex/dist/katex.min.css'));
-const formulaStyle = read(katex, 'katex.min.css').replace(/,url\([^)]*\.(?:woff|ttf)\) format\("[^"]*"\)/g, '');
-write('katex/katex.css', woven(formulaStyle, path.join(katex, 'fonts'), /^KaTeX_(Main-Regular|Math-Italic|Size\d-Regular)$/));
+const formulaStyle = read(katex, 'katex.min.css').replace(
+  /,url\([^)]*\.(?:woff|ttf)\) format\("[^"]*"\)/g,
+  '',
+);
+write(
+  'katex/katex.css',
+  woven(formulaStyle, path.join(katex, 'fonts'), /^KaTeX_(Main-Regular|Math-Italic|Size\d-Regular)$/),
+);
 for (const font of fs.readdirSync(path.join(katex, 'fonts')).filter((f) => f.endsWith('.woff2')))
   write(`katex/fonts/${font}`, fs.readFileSync(path.join(katex, 'fonts', font)));
 
 for (const p of pages) if (!made.has(`${p.name}.html`)) throw new Error(`${p.name}: no page was made`);
-for (const old of fs.readdirSync(site)) if (old.endsWith('.html') && !made.has(old)) fs.rmSync(path.join(site, old));
+for (const old of fs.readdirSync(site))
+  if (old.endsWith('.html') && !made.has(old)) fs.rmSync(path.join(site, old));
 const dead = [];
 for (const [file] of made) {
   const html = read(site, file).replace(/<annotation[^]*?<\/annotation>/g, '');
   for (const [, link] of html.matchAll(/\b(?:href|src)="([^"]*)"/g)) {
     const [to, anchor] = unescape(link).split('#');
-    if (/^[a-z]+:/.test(to)) { if (!/^(https:|mailto:)/.test(to)) dead.push(`${file}: ${link}`); continue; }
+    if (/^[a-z]+:/.test(to)) {
+      if (!/^(https:|mailto:)/.test(to)) dead.push(`${file}: ${link}`);
+      continue;
+    }
     const target = to ? to.split('?')[0] : file;
-    if (!made.has(target) && !fs.existsSync(path.join(site, target))) dead.push(`${file}: ${link} is not there`);
-    else if (anchor && !made.get(target)?.has(decodeURIComponent(anchor))) dead.push(`${file}: ${link} has no such anchor`);
+    if (!made.has(target) && !fs.existsSync(path.join(site, target)))
+      dead.push(`${file}: ${link} is not there`);
+    else if (anchor && !made.get(target)?.has(decodeURIComponent(anchor)))
+      dead.push(`${file}: ${link} has no such anchor`);
   }
   const visible = words(html.replace(/<(pre|code|script|style)\b[^]*?<\/\1>/g, ' '));
   const raw = /\\[a-zA-Z]+|\$\$|\{\{|\}\}|:::/.exec(visible);
-  if (raw) dead.push(`${file}: "${visible.slice(Math.max(raw.index - 30, 0), raw.index + 30)}" is raw TeX or a raw command`);
+  if (raw)
+    dead.push(
+      `${file}: "${visible.slice(Math.max(raw.index - 30, 0), raw.index + 30)}" is raw TeX or a raw command`,
+    );
 }
 formulas.save();
 if (dead.length) {

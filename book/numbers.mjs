@@ -1,9 +1,16 @@
-// How a told number is written in prose, in mathematics and in tables. Rounding is done on the decimal digits as told, so
-// that fifty digits stay fifty and nothing is rounded twice. A number is ± digits · 10^-places, the digits a BigInt.
+// How a told number is written in prose, in mathematics and in tables. Rounding is done on the decimal digits
+// as told, so that fifty digits stay fifty and nothing is rounded twice. A number is ± digits · 10^-places,
+// the digits a BigInt.
 
 function decimal(text) {
   const parts = /^([+-]?)(\d+)\.?(\d*)(?:e([+-]?\d+))?$/i.exec(text);
-  return parts && { negative: parts[1] === '-', digits: BigInt(parts[2] + parts[3]), places: parts[3].length - Number(parts[4] ?? 0) };
+  return (
+    parts && {
+      negative: parts[1] === '-',
+      digits: BigInt(parts[2] + parts[3]),
+      places: parts[3].length - Number(parts[4] ?? 0),
+    }
+  );
 }
 
 /** The number with `places` decimals, rounded half away from zero. */
@@ -22,7 +29,10 @@ function toDigits(number, count) {
 }
 
 function withoutTrailingZeros({ negative, digits, places }) {
-  while (digits !== 0n && digits % 10n === 0n) { digits /= 10n; places -= 1; }
+  while (digits !== 0n && digits % 10n === 0n) {
+    digits /= 10n;
+    places -= 1;
+  }
   return { negative, digits, places };
 }
 
@@ -33,8 +43,9 @@ function plain({ digits, places }) {
 }
 
 /**
- * A told value {value, unit, text?} under a format: '' (six digits), '8' (digits), 'f5' (decimals), 'e3' (digits and a
- * power of ten), 'percent2', 'deg1' (decimals). Gives { word } or { sign, digits, power, suffix }; null for another format.
+ * A told value {value, unit, text?} under a format: '' (six digits), '8' (digits), 'f5' (decimals), 'e3'
+ * (digits and a power of ten), 'percent2', 'deg1' (decimals). Gives { word } or { sign, digits, power, suffix
+ * }; null for another format.
  */
 export function format(told, spec = '') {
   const form = /^(f|e|percent|deg)?(\d*)$/.exec(spec);
@@ -42,20 +53,30 @@ export function format(told, spec = '') {
   const [, kind, count] = form;
   const fixed = ['f', 'percent', 'deg'].includes(kind);
   const suffix = { percent: '%', deg: '°' }[kind] ?? (['°', '%'].includes(told.unit) ? told.unit : '');
-  const scale = suffix === told.unit ? 1 : { percent: 100, deg: 180 / Math.PI }[kind] ?? 1;
-  const source = scale === 1 ? told.text ?? String(told.value) : String(told.value * scale);
+  const scale = suffix === told.unit ? 1 : ({ percent: 100, deg: 180 / Math.PI }[kind] ?? 1);
+  const source = scale === 1 ? (told.text ?? String(told.value)) : String(told.value * scale);
   const exact = decimal(source);
   if (!exact) return { word: { inf: '∞', '-inf': '−∞' }[source] ?? source };
-  const number = fixed ? toPlaces(exact, Number(count || 1))
-    : kind === 'e' ? toDigits(exact, Number(count || 3))
-      : count ? toDigits(exact, Number(count))
-        : Number.isInteger(told.value) && Math.abs(told.value) < 1e15 ? toPlaces(exact, 0)
+  const number = fixed
+    ? toPlaces(exact, Number(count || 1))
+    : kind === 'e'
+      ? toDigits(exact, Number(count || 3))
+      : count
+        ? toDigits(exact, Number(count))
+        : Number.isInteger(told.value) && Math.abs(told.value) < 1e15
+          ? toPlaces(exact, 0)
           : withoutTrailingZeros(toDigits(exact, 6));
   const sign = number.negative && number.digits !== 0n ? '−' : '';
   const length = String(number.digits).length;
   const power = length - number.places - 1; // that of the first digit
-  const far = kind === 'e' || (!fixed && number.digits !== 0n && (power < -4 || power >= Math.max(length, Number.isInteger(told.value) ? 15 : 6)));
-  return far ? { sign, digits: plain({ ...number, places: length - 1 }), power, suffix } : { sign, digits: plain(number), suffix };
+  const far =
+    kind === 'e' ||
+    (!fixed &&
+      number.digits !== 0n &&
+      (power < -4 || power >= Math.max(length, Number.isInteger(told.value) ? 15 : 6)));
+  return far
+    ? { sign, digits: plain({ ...number, places: length - 1 }), power, suffix }
+    : { sign, digits: plain(number), suffix };
 }
 
 export function asText({ word, sign, digits, power, suffix }) {
@@ -72,6 +93,11 @@ export function asTeX({ word, sign, digits, power, suffix }) {
 
 /** A time in seconds, with the prefix that suits it. */
 export function asTime(seconds) {
-  const [scale, unit] = [[1e-9, 'ns'], [1e-6, 'µs'], [1e-3, 'ms'], [1, 's']].find(([s]) => seconds < 1000 * s) ?? [1, 's'];
+  const [scale, unit] = [
+    [1e-9, 'ns'],
+    [1e-6, 'µs'],
+    [1e-3, 'ms'],
+    [1, 's'],
+  ].find(([s]) => seconds < 1000 * s) ?? [1, 's'];
   return `${Number((seconds / scale).toPrecision(3))} ${unit}`;
 }

@@ -1,5 +1,5 @@
-// Draws a section's races, error against time, from what its program told and the run recorded in book/speeds.
-// Usage: node race.mjs SOURCE BUILD PROGRAM GNUPLOT.
+// Draws a section's races, error against time, from what its program told and the run recorded in
+// book/speeds. Usage: node race.mjs SOURCE BUILD PROGRAM GNUPLOT.
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -11,13 +11,19 @@ const recorded = json(source, `book/speeds/${program}.json`);
 const floor = 1e-17; // where an error of nothing is drawn
 
 /** Those that no other beats both in time and in error, from the quickest to the most exact. */
-const front = (points) => [...points].sort((a, b) => a.seconds - b.seconds || a.error - b.error)
-  .filter((p, i, all) => all.slice(0, i).every((q) => q.error > p.error));
+const front = (points) =>
+  [...points]
+    .sort((a, b) => a.seconds - b.seconds || a.error - b.error)
+    .filter((p, i, all) => all.slice(0, i).every((q) => q.error > p.error));
 
 /** Heights at the right edge for the names, in the order of the errors, `apart` decades at least. */
 function spread(points, apart) {
-  const placed = [...points].sort((a, b) => a.error - b.error || a.seconds - b.seconds).map((p) => ({ ...p, height: Math.log10(p.error) }));
-  placed.forEach((p, i) => { if (i && p.height < placed[i - 1].height + apart) p.height = placed[i - 1].height + apart; });
+  const placed = [...points]
+    .sort((a, b) => a.error - b.error || a.seconds - b.seconds)
+    .map((p) => ({ ...p, height: Math.log10(p.error) }));
+  placed.forEach((p, i) => {
+    if (i && p.height < placed[i - 1].height + apart) p.height = placed[i - 1].height + apart;
+  });
   return placed;
 }
 
@@ -25,21 +31,44 @@ for (const race of told.races) {
   const times = recorded.races.find((r) => r.name === race.name)?.methods ?? [];
   const points = race.methods.flatMap((m) => {
     const time = times.find((t) => t.name === m.name);
-    return time && Number.isFinite(m.relative) ? [{ name: m.name, family: m.family, seconds: time.seconds, error: Math.max(m.relative, floor) }] : [];
+    return time && Number.isFinite(m.relative)
+      ? [{ name: m.name, family: m.family, seconds: time.seconds, error: Math.max(m.relative, floor) }]
+      : [];
   });
   if (!points.length) continue;
   const families = [...new Set(points.map((p) => p.family).filter(Boolean))];
-  const decades = (key, digits) => [Math.floor(Math.min(...points.map((p) => Math.log10(p[key]))) - digits), Math.ceil(Math.max(...points.map((p) => Math.log10(p[key]))) + digits)];
+  const decades = (key, digits) => [
+    Math.floor(Math.min(...points.map((p) => Math.log10(p[key]))) - digits),
+    Math.ceil(Math.max(...points.map((p) => Math.log10(p[key]))) + digits),
+  ];
   const [left, right] = decades('seconds', 0.05);
   const [low, high] = decades('error', 0.3);
-  const block = (list) => `name\tseconds\terror\theight\n${list.map((p) => `${p.name}\t${p.seconds}\t${p.error}\t${10 ** (p.height ?? 0)}\n`).join('')}`;
-  const labelled = spread(points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)), (high - low) / 15);
+  const block = (list) =>
+    `name\tseconds\terror\theight\n` +
+    `${list.map((p) => `${p.name}\t${p.seconds}\t${p.error}\t${10 ** (p.height ?? 0)}\n`).join('')}`;
+  const labelled = spread(
+    points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)),
+    (high - low) / 15,
+  );
   const data = path.join(build, `told/${program}.race-${race.name}.tsv`);
-  fs.writeFileSync(data, [points, front(points), labelled, ...families.map((f) => points.filter((p) => p.family === f))].map(block).join('\n\n'));
+  fs.writeFileSync(
+    data,
+    [points, front(points), labelled, ...families.map((f) => points.filter((p) => p.family === f))]
+      .map(block)
+      .join('\n\n'),
+  );
   const out = path.join(build, `drawn/${program}.race-${race.name}.svg`);
   fs.mkdirSync(path.dirname(out), { recursive: true });
-  const run = spawnSync(gnuplot, ['-e', `data='${path.dirname(data)}'; race='${path.basename(data, '.tsv')}'; families=${families.length}; left=1e${left}; right=1e${right}; low=1e${low}; high=1e${high}; out='${out}'`,
-    'figures/race.gp'], { cwd: source, encoding: 'utf8' });
+  const run = spawnSync(
+    gnuplot,
+    [
+      '-e',
+      `data='${path.dirname(data)}'; race='${path.basename(data, '.tsv')}'; families=` +
+      `${families.length}; left=1e${left}; right=1e${right}; low=1e${low}; high=1e${high}; out='${out}'`,
+      'figures/race.gp',
+    ],
+    { cwd: source, encoding: 'utf8' },
+  );
   if (run.status !== 0 || run.stderr) throw new Error(`figures/race.gp: ${run.stderr}`);
 }
 fs.writeFileSync(path.join(build, `drawn/${program}.races`), '');

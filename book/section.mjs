@@ -1,4 +1,5 @@
-// A section's file, taken apart: prose and code in turn, and in the code the checks and the entries of the apparatus.
+// A section's file, taken apart: prose and code in turn, and in the code the checks and the entries of the
+// apparatus.
 
 const cxxString = String.raw`"(?:[^"\\]|\\.)*"`;
 const strings = new RegExp(String.raw`(?:${cxxString}\s*)+`);
@@ -37,8 +38,8 @@ function pieces(code, line) {
 }
 
 /**
- * The blocks of a section's file in their order: { kind: 'prose', line, text } or { kind: 'code' | 'TELL' | 'check' |
- * 'Erratum' ..., line, code, name }. What stands before the first prose is left out.
+ * The blocks of a section's file in their order: { kind: 'prose', line, text } or { kind: 'code' | 'TELL' |
+ * 'check' | 'Erratum' ..., line, code, name }. What stands before the first prose is left out.
  */
 export function blocks(source, file) {
   const all = [];
@@ -64,5 +65,7 @@ export function blocks(source, file) {
 
 /** The numbers of the formulae that prose gives, and of those that code names in comments `// (n)`. */
 export const tagged = (text) => [...text.matchAll(/\\tag\{([^}]+)\}/g)].map((m) => m[1]);
-export const named = (code) => [...code.matchAll(/\/\/ (\(\w+\)(?:,? (?:and )?\(\w+\))*)/g)]
-  .flatMap((m) => [...m[1].matchAll(/\((\w+)\)/g)].map((n) => n[1]));
+export const named = (code) =>
+  [...code.matchAll(/\/\/ (\(\w+\)(?:,? (?:and )?\(\w+\))*)/g)].flatMap((m) =>
+    [...m[1].matchAll(/\((\w+)\)/g)].map((n) => n[1]),
+  );

@@ -1,6 +1,7 @@
-# Error against time for one evaluation, for any race. Besides `data` and `out`: `race`, the data's name; `families`, how many
-# lines of methods it has; `left`, `right`, `low`, `high`, the frame. Blocks of the data: all methods, the front, the names, then
-# one block a family. The names stand at the right edge, each tied to its point.
+# Error against time for one evaluation, for any race. Besides `data` and `out`: `race`, the data's name;
+# `families`, how many lines of methods it has; `left`, `right`, `low`, `high`, the frame. Blocks of the data:
+# all methods, the front, the names, then one block a family. The names stand at the right edge, each tied to
+# its point.
 load "figures/style.gp"
 set logscale xy
 set format x "10^{%T} s"

@@ -1,10 +1,10 @@
-# The one style of all figures. A figure script is run by gnuplot from the repository root with two strings set:
-# `data`, the folder of the programs' tables and curves, and `out`, the file to draw. It begins with
+# The one style of all figures. A figure script is run by gnuplot from the repository root with two strings
+# set: `data`, the folder of the programs' tables and curves, and `out`, the file to draw. It begins with
 #     load "figures/style.gp"
 # and then only plots. The ending of `out` chooses the form: .svg for the book; .pdf and .png on request.
 #
-# The colours stand here and nowhere else: the weaver reads them and gives the page a light and a dark one for each,
-# both with enough contrast for text and told apart without colour vision.
+# The colours stand here and nowhere else: the weaver reads them and gives the page a light and a dark one for
+# each, both with enough contrast for text and told apart without colour vision.
 #            name        light        dark
 ink        = "#1f1b16" # ink          #e8e1d5   7  frames, letters, geometry
 blue       = "#14479a" # blue         #5c9df5   1  what is exact
@@ -21,9 +21,12 @@ if (exists("tall"))  height = 560   # set tall = 1 before loading, for geometry
 if (exists("short")) height = 260
 
 ending = out[strlen(out) - 2 :]
-if (ending eq "svg") set terminal svg size width, height enhanced font "EB Garamond,17" linewidth 1.2 dashlength 0.9
-if (ending eq "pdf") set terminal pdfcairo size width / 100., height / 100. enhanced font "EB Garamond,12" linewidth 1.2
-if (ending eq "png") set terminal pngcairo size 2 * width, 2 * height enhanced font "EB Garamond,24" linewidth 2.4
+if (ending eq "svg") set terminal svg size width, height enhanced font "EB Garamond,17" \
+  linewidth 1.2 dashlength 0.9
+if (ending eq "pdf") set terminal pdfcairo size width / 100., height / 100. enhanced \
+  font "EB Garamond,12" linewidth 1.2
+if (ending eq "png") set terminal pngcairo size 2 * width, 2 * height enhanced \
+  font "EB Garamond,24" linewidth 2.4
 set output out
 
 set encoding utf8

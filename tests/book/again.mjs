@@ -10,17 +10,30 @@ const other = fs.mkdtempSync(path.join(os.tmpdir(), 'again-'));
 try {
   for (const what of ['told', 'drawn', 'programs.txt', 'made-with.json', 'html/fonts'])
     fs.cpSync(path.join(build, what), path.join(other, what), { recursive: true });
-  fs.writeFileSync(path.join(other, 'Doxyfile'), fs.readFileSync(path.join(build, 'Doxyfile'), 'utf8').replaceAll(build, other));
-  const run = (program, ...options) => execFileSync(program, options, { stdio: ['ignore', 'ignore', 'inherit'] });
+  fs.writeFileSync(
+    path.join(other, 'Doxyfile'),
+    fs.readFileSync(path.join(build, 'Doxyfile'), 'utf8').replaceAll(build, other),
+  );
+  const run = (program, ...options) =>
+    execFileSync(program, options, { stdio: ['ignore', 'ignore', 'inherit'] });
   run(process.execPath, path.join(source, 'book/weave.mjs'), source, other);
   run(doxygen, path.join(other, 'Doxyfile'));
   run(process.execPath, path.join(source, 'book/finish.mjs'), source, other);
 
-  const files = (root, folder = '') => fs.readdirSync(path.join(root, folder), { withFileTypes: true })
-    .flatMap((f) => (f.isDirectory() ? files(root, path.join(folder, f.name)) : [path.join(folder, f.name)])).sort();
+  const files = (root, folder = '') =>
+    fs
+      .readdirSync(path.join(root, folder), { withFileTypes: true })
+      .flatMap((f) =>
+        f.isDirectory() ? files(root, path.join(folder, f.name)) : [path.join(folder, f.name)],
+      )
+      .sort();
   const [first, second] = [build, other].map((b) => files(path.join(b, 'html')));
   const only = [...first.filter((f) => !second.includes(f)), ...second.filter((f) => !first.includes(f))];
-  const differ = first.filter((f) => second.includes(f) && !fs.readFileSync(path.join(build, 'html', f)).equals(fs.readFileSync(path.join(other, 'html', f))));
+  const differ = first.filter(
+    (f) =>
+      second.includes(f) &&
+      !fs.readFileSync(path.join(build, 'html', f)).equals(fs.readFileSync(path.join(other, 'html', f))),
+  );
   console.log(`${first.length} files, ${only.length} in one build only, ${differ.length} that differ`);
   if (!first.length || only.length || differ.length) throw new Error([...only, ...differ].join('\n'));
 } catch (error) {

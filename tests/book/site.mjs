@@ -1,23 +1,41 @@
-// The built book in a browser, from its folder: every page, wide and light, narrow and dark. Usage: node site.mjs HTML.
-// Without a browser it says so and ends with status 77, which ctest takes as skipped; where CI is set that is a failure.
+// The built book in a browser, from its folder: every page, wide and light, narrow and dark. Usage: node
+// site.mjs HTML. Without a browser it says so and ends with status 77, which ctest takes as skipped; where CI
+// is set that is a failure.
 import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { packages } from '../../book/packages.mjs';
 
 const site = path.resolve(process.argv[2]);
-const executablePath = [process.env.BROWSER, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((p) => p && fs.existsSync(p));
+const executablePath = [
+  process.env.BROWSER,
+  '/usr/bin/chromium',
+  '/usr/bin/chromium-browser',
+  '/usr/bin/google-chrome',
+].find((p) => p && fs.existsSync(p));
 if (!executablePath) {
   console.error('no browser (chromium): the book was not looked at');
   process.exit(process.env.CI ? 1 : 77);
 }
 const { chromium } = packages('playwright-core');
 const axe = fs.readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
-const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--no-first-run'] });
+const browser = await chromium.launch({
+  executablePath,
+  args: [
+    '--no-sandbox',
+    '--disable-gpu',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+    '--no-first-run',
+  ],
+});
 
 const faults = [];
-const pages = fs.readdirSync(site).filter((f) => f.endsWith('.html')).sort();
+const pages = fs
+  .readdirSync(site)
+  .filter((f) => f.endsWith('.html'))
+  .sort();
 const address = (name) => pathToFileURL(path.join(site, name)).href;
 const ids = new Map();
 const links = [];
@@ -25,14 +43,18 @@ const links = [];
 /** What is wrong with a page as it stands, judged inside the page. */
 function judged() {
   const wrong = [];
-  const say = (what, element) => wrong.push(`${what}: ${(element.outerHTML ?? String(element)).slice(0, 120)}`);
-  if (document.documentElement.scrollWidth > window.innerWidth) wrong.push(`wider than the window by ${document.documentElement.scrollWidth - window.innerWidth}`);
+  const say = (what, element) =>
+    wrong.push(`${what}: ${(element.outerHTML ?? String(element)).slice(0, 120)}`);
+  if (document.documentElement.scrollWidth > window.innerWidth)
+    wrong.push(`wider than the window by ${document.documentElement.scrollWidth - window.innerWidth}`);
   for (const svg of document.querySelectorAll('figure > svg')) {
     const box = svg.getBoundingClientRect();
-    if (box.width < 100 || box.height < 50 || !svg.querySelector('path')) say('a figure without a drawing', svg);
+    if (box.width < 100 || box.height < 50 || !svg.querySelector('path'))
+      say('a figure without a drawing', svg);
     if (!svg.querySelector('title')?.textContent.trim()) say('a figure without a title', svg);
   }
-  for (const image of document.images) if (!image.complete || !image.naturalWidth) say('an image that did not load', image);
+  for (const image of document.images)
+    if (!image.complete || !image.naturalWidth) say('an image that did not load', image);
   if (document.querySelectorAll('h1').length !== 1) wrong.push('not one h1');
   let level = 1;
   for (const heading of document.querySelectorAll('main :is(h1, h2, h3, h4)')) {
@@ -46,13 +68,17 @@ function judged() {
   if (raw) wrong.push(`raw TeX or a raw command: ${text.textContent.slice(raw.index - 20, raw.index + 30)}`);
   if (document.querySelector('.katex-error')) wrong.push('a formula that did not parse');
   return {
-    wrong, shift: window.shift, ids: [...document.querySelectorAll('[id]')].map((e) => e.id),
+    wrong,
+    shift: window.shift,
+    ids: [...document.querySelectorAll('[id]')].map((e) => e.id),
     links: [...document.querySelectorAll('a[href], link[href]')].map((e) => e.href),
   };
 }
 
 const everything = { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice'] };
-const whatChanges = { runOnly: { type: 'rule', values: ['color-contrast', 'scrollable-region-focusable', 'link-in-text-block'] } };
+const whatChanges = {
+  runOnly: { type: 'rule', values: ['color-contrast', 'scrollable-region-focusable', 'link-in-text-block'] },
+};
 
 /** A tab in which one page after another is opened, wide or narrow, light or dark. */
 async function tab(mode) {
@@ -61,16 +87,23 @@ async function tab(mode) {
   const page = await context.newPage();
   let name = 'index.html';
   const fault = (what) => faults.push(`${name} (${mode.name}): ${what}`);
-  page.on('request', (r) => { if (!/^(file|data):/.test(r.url())) fault(`asks for ${r.url()}`); });
+  page.on('request', (r) => {
+    if (!/^(file|data):/.test(r.url())) fault(`asks for ${r.url()}`);
+  });
   page.on('requestfailed', (r) => fault(`did not get ${r.url()}`));
-  page.on('console', (m) => { if (['error', 'warning'].includes(m.type())) fault(`says ${m.text()}`); });
+  page.on('console', (m) => {
+    if (['error', 'warning'].includes(m.type())) fault(`says ${m.text()}`);
+  });
   page.on('pageerror', (e) => fault(`throws ${e.message}`));
   await page.goto(address('index.html')); // so that no page is charged with the browser's own start
   for (name of pages) {
     await page.goto(address(name));
     await page.evaluate(async () => {
       for (const image of document.images) image.loading = 'eager';
-      await Promise.all([document.fonts.ready, ...[...document.images].map((i) => i.decode().catch(() => {}))]);
+      await Promise.all([
+        document.fonts.ready,
+        ...[...document.images].map((i) => i.decode().catch(() => {})),
+      ]);
     });
     const found = await page.evaluate(judged);
     found.wrong.forEach(fault);
@@ -80,7 +113,16 @@ async function tab(mode) {
       found.links.forEach((to) => links.push([name, to]));
     }
     await page.evaluate(axe);
-    const violations = await page.evaluate(async (options) => (await window.axe.run({ exclude: ['.katex'] }, { resultTypes: ['violations'], preload: false, ...options })).violations, mode.first ? everything : whatChanges);
+    const violations = await page.evaluate(
+      async (options) =>
+        (
+          await window.axe.run(
+            { exclude: ['.katex'] },
+            { resultTypes: ['violations'], preload: false, ...options },
+          )
+        ).violations,
+      mode.first ? everything : whatChanges,
+    );
     for (const v of violations.filter((x) => ['serious', 'critical'].includes(x.impact)))
       fault(`${v.id}: ${v.help}, ${v.nodes.length} times, as at ${v.nodes[0].html.slice(0, 140)}`);
   }
@@ -89,7 +131,11 @@ async function tab(mode) {
 
 const watch = () => {
   window.shift = 0;
-  new PerformanceObserver((list) => list.getEntries().forEach((e) => { window.shift += e.value; })).observe({ type: 'layout-shift', buffered: true });
+  new PerformanceObserver((list) =>
+    list.getEntries().forEach((e) => {
+      window.shift += e.value;
+    }),
+  ).observe({ type: 'layout-shift', buffered: true });
 };
 const [page] = await Promise.all([
   tab({ name: 'wide, light', first: true, viewport: { width: 1280, height: 900 }, colorScheme: 'light' }),
@@ -113,23 +159,37 @@ const ask = async (words) => {
   await page.waitForFunction(() => document.getElementById('found').textContent);
   return page.$$eval('#results a', (all) => all.map((a) => a.getAttribute('href')));
 };
-if (!(await ask('apparatus')).includes('apparatus.html')) faults.push('the search does not find the apparatus');
+if (!(await ask('apparatus')).includes('apparatus.html'))
+  faults.push('the search does not find the apparatus');
 const [today, old] = [await ask('curve given'), await ask('curue giuen')];
-if (!today.length || String(today) !== String(old)) faults.push(`the search takes u for v no more: ${today} against ${old}`);
+if (!today.length || String(today) !== String(old))
+  faults.push(`the search takes u for v no more: ${today} against ${old}`);
 if ((await ask('zzyzx')).length) faults.push('the search finds what is not there');
 
 // By keyboard: the first stop leads to the text. Printed: no controls, and nothing cut.
 await page.goto(address('index.html'));
 await page.keyboard.press('Tab');
-if (await page.evaluate(() => document.activeElement.getAttribute('href')) !== '#main') faults.push('the first stop of the keyboard is not the way to the text');
+if ((await page.evaluate(() => document.activeElement.getAttribute('href'))) !== '#main')
+  faults.push('the first stop of the keyboard is not the way to the text');
 for (const name of pages.filter((f) => /^[a-z]+-\d\d\.html$/.test(f))) {
   await page.goto(address(name));
   await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
   await page.emulateMedia({ media: 'print' });
   await page.setViewportSize({ width: 640, height: 900 }); // what A4 leaves between its margins
-  const cut = await page.evaluate(() => [...document.querySelectorAll('main pre, main .table, main figure')].filter((e) => e.offsetWidth && e.scrollWidth > e.clientWidth + 1).map((e) => e.outerHTML.slice(0, 80)));
+  const cut = await page.evaluate(() =>
+    [...document.querySelectorAll('main pre, main .table, main figure')]
+      .filter((e) => e.offsetWidth && e.scrollWidth > e.clientWidth + 1)
+      .map((e) => e.outerHTML.slice(0, 80)),
+  );
   cut.forEach((c) => faults.push(`${name} (printed): cut off: ${c}`));
-  if (await page.evaluate(() => [...document.querySelectorAll('.banner, .contents-tree, .turn, main details:not([open])')].some((e) => e.offsetHeight && !e.matches('details')) || document.querySelector('main details:not([open])')))
+  if (
+    await page.evaluate(
+      () =>
+        [...document.querySelectorAll('.banner, .contents-tree, .turn, main details:not([open])')].some(
+          (e) => e.offsetHeight && !e.matches('details'),
+        ) || document.querySelector('main details:not([open])'),
+    )
+  )
     faults.push(`${name} (printed): controls, or something folded`);
   await page.emulateMedia({ media: 'screen' });
   await page.setViewportSize({ width: 1280, height: 900 });
