@@ -372,6 +372,9 @@ TEST_CASE("the time to an angle: ends and out of range")
                     oracle::ratio_from_bottom(Fifty(2)) * exact::pi() / Fifty(2)) <= 6);
   CHECK(std::isnan(swing::time_from_bottom(std::nextafter(2, 3), a)));
   CHECK(std::isnan(swing::time_from_bottom(not_a_number, a)));
+  // Nothing underflows in the smallest swings, where the time is the arc whose sine is Φ/ζ.
+  for (const double zeta : {1e-9, 1e-155, 1e-200, 1e-300})
+    CHECK(exact::ulps(swing::time_from_bottom(zeta / 2, swing::Amplitude::from_zeta(zeta)), exact::pi() / 6) <= 2);
   CHECK(swing::time_from_rest(1e-3, 1e-3) == 0);
   CHECK(std::isnan(swing::time_from_rest(0.9e-3, 1e-3)));
   CHECK(std::isnan(swing::time_from_rest(3.2, 1e-3)));

@@ -368,8 +368,8 @@ double time_from_bottom(double phi, Amplitude a)
     return phi;
   const double k = a.modulus();
   const double across = std::sin(from_top / 2);
-  const double left = std::sin((a.zeta - up) / 2) * sine_of_half_sum(a.zeta, a.eta, up, from_top);
-  return std::copysign(z * carlson_rf(left, k * k * across * across, k * k), phi);
+  const double left = std::sin((a.zeta - up) / 2) / k * (sine_of_half_sum(a.zeta, a.eta, up, from_top) / k);
+  return std::copysign(z / k * carlson_rf(left, across * across, 1), phi);  // divided by k: k² may underflow
 }
 
 double time_from_rest(double psi, double eta)
