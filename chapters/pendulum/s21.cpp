@@ -10,8 +10,8 @@ using pendulum::sum_by_columns, pendulum::sum_by_rows, pendulum::sum_with_one_lo
 /*!
 ## What Euler does
 
-All the integrals go into the series, and the time of the descent becomes an endless triangle of terms. Those
-of {{sec pendulum.20}} are put into the equation
+All the integrals go into the series, and the time of the descent becomes an endless triangle of terms. The
+integrals of {{sec pendulum.20}} are put, one after another, into the equation
 
 $$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega} +
      \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
