@@ -83,11 +83,15 @@ md.block.ruler.before(
   fenced('told_block', /^\{\{(table|collected) (?=[^{}]+\}\}$)/, /\}\}$/),
   alt,
 );
-md.inline.ruler.before('escape', 'math', inline('math', /\$((?:[^$\\]|\\[^])+)\$/y));
+md.inline.ruler.before('escape', 'math', inline('math', /\$((?:[^$\\]|\\[^])+)\$([.,;:!?)]*)/y));
 md.inline.ruler.before('escape', 'told', inline('told', /\{\{((?:[^{}\\]|\\.)+)\}\}(?=(\s?[°%])?)/y));
 
 const rules = md.renderer.rules;
-rules.math = (tokens, i, _, page) => page.formulas.set(page.fill(tokens[i].content), false);
+rules.math = (tokens, i, _, page) => {
+  const formula = page.formulas.set(page.fill(tokens[i].content), false);
+  const stop = tokens[i].meta; // the punctuation after a formula stays on its line
+  return stop ? `<span class="stopped">${formula}${stop}</span>` : formula;
+};
 rules.told = (tokens, i, _, page) =>
   page.refer(tokens[i].content.replaceAll('\\|', '|').trim(), tokens[i].meta);
 rules.told_block = (tokens, i, _, page) =>
@@ -197,7 +201,7 @@ export class Page {
     const known = this.book.chapters.find((c) => c.id === chapter);
     if (!known || !(Number(number) >= 1 && Number(number) <= known.sections))
       throw new Error(`there is no section ${id}`);
-    return `${chapter === this.section?.chapter ? '' : `${known.short} `}§ ${Number(number)}`;
+    return `${chapter === this.section?.chapter ? '' : `${known.short} `}§ ${Number(number)}`;
   }
 
   /** A link to a section's page; to its row in the chapter's map while there is no page. */

@@ -164,6 +164,18 @@ const page = (name, title, body) => {
 const plurals = { erratum: 'errata', emendation: 'emendations' };
 const headings = ['What Euler does', 'The program', 'Checks', 'Notes'];
 
+/** A TELL block; one that only feeds a figure or a race is folded under a line that says so. */
+function folded(block, file) {
+  const feeds = [
+    [/\bcurve\(/, 'what the figure is drawn from'],
+    [/\brace\(/, 'the ways that are compared'],
+  ].filter(([call]) => call.test(block.code));
+  const shown = code(block.code, file, block.line);
+  if (!feeds.length || /\b(tell|tell_lines|table)\(/.test(block.code)) return shown;
+  const summary = feeds.map(([, words]) => words).join(', and ');
+  return html(`<details class="folded"><summary>${summary}</summary>`) + shown + html('</details>');
+}
+
 function sectionPage(s) {
   const p = new Page(book, s.file, s);
   const found = [];
@@ -187,7 +199,7 @@ function sectionPage(s) {
       return html(p.html(b.text, b.line));
     },
     code: (b) => code(b.code, s.file, b.line),
-    TELL: (b) => code(b.code, s.file, b.line) + (b === last ? html(told(s)) : ''),
+    TELL: (b) => folded(b, s.file) + (b === last ? html(told(s)) : ''),
     check(b) {
       const run = s.check.cases.find((c) => c.name === b.name);
       if (!run) fail(s.file, b.line, `the check "${b.name}" was not run`);

@@ -63,7 +63,7 @@ double as_it_should_be(const Members<double>& m)  // (3), in units Θ
 Euler leaves η free, and the pendulum through $\Theta$.
 */
 
-const auto swing_ = amplitude_from_top(5_deg, closed(0_deg, 179.999999999999_deg));
+const auto swing_ = amplitude_from_top(5_deg);
 const auto Theta = real("Theta", 1.0, seconds, positive, "time of one infinitely small swing");
 const auto terms = integer("terms", 4, 1, 1000, "terms of the series P that are kept");
 

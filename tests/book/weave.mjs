@@ -161,7 +161,7 @@ test('a section that is right is woven', () => {
   assert.match(html, /<span class="kind">erratum<\/span>/);
   assert.match(html, /stroke="var\(--blue\)"/);
   assert.match(html, /<title id="pendulum-11-title">A line\.<\/title>/);
-  assert.match(html, /href="pendulum\.html#s12">§ 12<\/a>/);
+  assert.match(html, /href="pendulum\.html#s12">§\u00a012<\/a>/);
 });
 
 /** Each fault: what is spoilt, and what the one line must say. */
