@@ -43,9 +43,9 @@ for (const race of told.races) {
   ];
   const [left, right] = decades('seconds', 0.05);
   const [low, high] = decades('error', 0.3);
-  const block = (list) =>
-    `name\tseconds\terror\theight\n` +
-    `${list.map((p) => `${p.name}\t${p.seconds}\t${p.error}\t${10 ** (p.height ?? 0)}\n`).join('')}`;
+  const rows = (list) =>
+    list.map((p) => `${p.name}\t${p.seconds}\t${p.error}\t${10 ** (p.height ?? 0)}\n`).join('');
+  const block = (list) => `name\tseconds\terror\theight\n${list}`;
   const labelled = spread(
     points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)),
     (high - low) / 15,
@@ -53,7 +53,10 @@ for (const race of told.races) {
   const data = path.join(build, `told/${program}.race-${race.name}.tsv`);
   fs.writeFileSync(
     data,
-    [points, front(points), labelled, ...families.map((f) => points.filter((p) => p.family === f))]
+    [
+      ...[points, front(points), labelled].map(rows),
+      families.map((f) => rows(points.filter((p) => p.family === f))).join('\n'),
+    ]
       .map(block)
       .join('\n\n'),
   );
