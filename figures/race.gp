@@ -16,4 +16,4 @@ plot @lines_of_families \
      tsv(race) index 1 using "seconds":"error" with steps lt 6 dt (6, 3), \
      tsv(race) index 2 using 2:3:(right - $2):($4 - $3) with vectors nohead lc rgb faint lw 1, \
      tsv(race) index 0 using "seconds":"error" with points lt 1 ps 0.7, \
-     tsv(race) index 2 using (right):"height":"name" with labels left offset 0.5, 0 textcolor lt 7
+     tsv(race) index 2 using (0.999 * right):"height":"name" with labels left offset 0.5, 0 textcolor lt 7
