@@ -89,8 +89,9 @@ md.inline.ruler.before('escape', 'told', inline('told', /\{\{((?:[^{}\\]|\\.)+)\
 const rules = md.renderer.rules;
 rules.math = (tokens, i, _, page) => {
   const formula = page.formulas.set(page.fill(tokens[i].content), false);
-  const stop = tokens[i].meta; // the punctuation after a formula stays on its line
-  return stop ? `<span class="stopped">${formula}${stop}</span>` : formula;
+  const stop = tokens[i].meta; // after a short formula it stays on the line
+  const together = stop && tokens[i].content.length <= 20;
+  return together ? `<span class="stopped">${formula}${stop}</span>` : formula + stop;
 };
 rules.told = (tokens, i, _, page) =>
   page.refer(tokens[i].content.replaceAll('\\|', '|').trim(), tokens[i].meta);
