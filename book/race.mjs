@@ -70,7 +70,7 @@ for (const race of told.races) {
       `${families.length}; left=1e${left}; right=1e${right}; low=1e${low}; high=1e${high}; out='${out}'`,
       'figures/race.gp',
     ],
-    { cwd: source, encoding: 'utf8' },
+    { cwd: source, encoding: 'utf8', env: { ...process.env, LC_ALL: 'C.UTF-8' } },
   );
   if (run.status !== 0 || run.stderr) throw new Error(`figures/race.gp: ${run.stderr}`);
 }
