@@ -164,6 +164,12 @@ const page = (name, title, body) => {
 const plurals = { erratum: 'errata', emendation: 'emendations' };
 const headings = ['What Euler does', 'The program', 'Checks', 'Notes'];
 
+/** A statement with a capital, unless it opens with a letter of Euler's: b, dz, l 2. */
+const sentence = (words) =>
+  /^(a|an|[a-z]{3,})\b/.test(words) || /^(as|at|by|if|in|it|no|of|on|so|to|up)\b/.test(words)
+    ? words[0].toUpperCase() + words.slice(1)
+    : words;
+
 /** A TELL block; one that only feeds a figure or a race is folded under a line that says so. */
 function folded(block, file) {
   const feeds = [
@@ -207,7 +213,7 @@ function sectionPage(s) {
       return (
         html(
           `<section class="check" id="check-${count.check}"><p class="statement">${verdict(run.passed)} ` +
-          `${escape(b.name[0].toUpperCase() + b.name.slice(1))}</p>`,
+          `${escape(sentence(b.name))}</p>`,
         ) +
         code(b.code, s.file, b.line) +
         html(`${claims(run.claims)}</section>`)
