@@ -1,4 +1,3 @@
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_ellint.h>
 
 #include "edition/section.hpp"
@@ -86,13 +85,11 @@ $R_F(0, \sin^2\tfrac12\eta, 1)$ is the same number.
 
 double ratio_of_modulus(double c)
 {
-  gsl_set_error_handler_off();  // at c = 1 GSL says NaN and does not end the program
   return gsl_sf_ellint_Kcomp(c, GSL_PREC_DOUBLE) * 2 / std::numbers::pi;
 }
 
 double ratio_of_complement(double s)
 {
-  gsl_set_error_handler_off();
   return gsl_sf_ellint_RF(0, s * s, 1, GSL_PREC_DOUBLE) * 2 / std::numbers::pi;
 }
 

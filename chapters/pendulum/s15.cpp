@@ -1,4 +1,3 @@
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_ellint.h>
 
 #include "edition/section.hpp"
@@ -154,7 +153,6 @@ TELL
     }
   });
   const double eta = swing_.eta, way = psi - eta, c = std::cos(eta / 2);
-  gsl_set_error_handler_off();  // where c has become 1, GSL says NaN and does not end the program
   race("descent", "t√(2g)/√b", swing::oracle::time_from_rest_past(way, eta),
        {{"the first term", [=] { return first_term(way, eta); }},
         {"(5) without sin²α", [=] { return uniform(way, eta, false); }},
