@@ -156,7 +156,7 @@ const ask = async (words) => {
   await page.goto(address('index.html'));
   await page.fill('.find input', words);
   await page.press('.find input', 'Enter');
-  await page.waitForFunction(() => document.getElementById('found').textContent);
+  await page.waitForFunction(() => document.getElementById('found')?.textContent);
   return page.$$eval('#results a', (all) => all.map((a) => a.getAttribute('href')));
 };
 if (!(await ask('apparatus')).includes('apparatus.html'))
