@@ -51,6 +51,8 @@ Expectation between(const Fifty& lo, const Fifty& hi, const char* because);
 /// comma or point, for instance "1,1803"; anything else throws std::invalid_argument.
 Expectation printed(const char* number);
 
+/// The comparison itself; what was got is shown with 17 digits, or with 30.
+/// @{
 inline bool operator==(double got, const Expectation& e)
 {
   return e.holds(got, 17);
@@ -59,6 +61,7 @@ inline bool operator==(const Fifty& got, const Expectation& e)
 {
   return e.holds(got, 30);
 }
+/// @}
 
 /// For doctest's messages.
 doctest::String toString(const Expectation& e);
@@ -66,10 +69,10 @@ doctest::String toString(const Expectation& e);
 /// A comparison as it was made: what the ledger of claims keeps of a check.
 struct Claim
 {
-  std::string got;
-  std::string expected;
-  std::string tolerance;
-  std::string because;
+  std::string got;        ///< The number that was compared.
+  std::string expected;   ///< What it was compared with.
+  std::string tolerance;  ///< How far it might have been off.
+  std::string because;    ///< Why so far.
 };
 
 /// The comparison made last in this thread, handed out once; empty strings where none was made since.

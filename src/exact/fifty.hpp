@@ -24,20 +24,28 @@ class Fifty {
 public:
   Fifty();  ///< Zero.
   Fifty(double x);  ///< Exactly the given double, not the decimal fraction it was written as.
+  /// A whole number, exactly.
+  /// @{
   template <std::signed_integral Integer>
   Fifty(Integer n) : Fifty(Exactly{}, static_cast<long long>(n)) {}
   template <std::unsigned_integral Integer>
   Fifty(Integer n) : Fifty(Exactly{}, static_cast<unsigned long long>(n)) {}
+  /// @}
   Fifty(bool) = delete;
   Fifty(long double) = delete;
 
   /// The number that a decimal text such as `"3.16621"` or `"-1e-300"` denotes.
   /// @throws std::invalid_argument if the text is anything else
+  /// @{
   explicit Fifty(const char* decimal);
   explicit Fifty(const std::string& decimal);
+  /// @}
 
+  /// A copy.
+  /// @{
   Fifty(const Fifty& other);
   Fifty& operator=(const Fifty& other);
+  /// @}
   ~Fifty() = default;
 
   /// The nearest double, ties to even, subnormals included.
@@ -48,6 +56,8 @@ public:
   /// @throws std::out_of_range unless 1 ≤ digits ≤ 50
   std::string str(int digits = 50) const;
 
+  /// The four operations, correctly rounded, and the comparisons.
+  /// @{
   Fifty& operator+=(const Fifty& y);
   Fifty& operator-=(const Fifty& y);
   Fifty& operator*=(const Fifty& y);
@@ -61,39 +71,44 @@ public:
   friend Fifty operator-(const Fifty& x);
   friend bool operator==(const Fifty& x, const Fifty& y);
   friend std::partial_ordering operator<=>(const Fifty& x, const Fifty& y);
+  /// @}
 
+  /// @name Elementary functions
+  /// The names of the standard library; to a few units of the fiftieth digit.
+  /// @{
   friend Fifty sqrt(const Fifty& x);   ///< NaN below zero
   friend Fifty cbrt(const Fifty& x);   ///< of either sign
-  friend Fifty exp(const Fifty& x);
+  friend Fifty exp(const Fifty& x);    ///< e to the x
   friend Fifty expm1(const Fifty& x);  ///< without cancellation near 0
   friend Fifty log(const Fifty& x);    ///< -inf at zero, NaN below
   friend Fifty log1p(const Fifty& x);  ///< without cancellation near 0; -inf at -1, NaN below
-  friend Fifty sin(const Fifty& x);
-  friend Fifty cos(const Fifty& x);
-  friend Fifty tan(const Fifty& x);
+  friend Fifty sin(const Fifty& x);    ///< x in radians
+  friend Fifty cos(const Fifty& x);    ///< x in radians
+  friend Fifty tan(const Fifty& x);    ///< x in radians
   friend Fifty asin(const Fifty& x);   ///< NaN outside [-1, 1]
   friend Fifty acos(const Fifty& x);   ///< NaN outside [-1, 1]
-  friend Fifty atan(const Fifty& x);
-  friend Fifty atan2(const Fifty& y, const Fifty& x);
-  friend Fifty sinh(const Fifty& x);
-  friend Fifty cosh(const Fifty& x);
-  friend Fifty tanh(const Fifty& x);
-  friend Fifty asinh(const Fifty& x);
+  friend Fifty atan(const Fifty& x);   ///< from -½π to ½π
+  friend Fifty atan2(const Fifty& y, const Fifty& x);  ///< the angle of the point (x, y), from -π to π
+  friend Fifty sinh(const Fifty& x);   ///< the hyperbolic sine
+  friend Fifty cosh(const Fifty& x);   ///< the hyperbolic cosine
+  friend Fifty tanh(const Fifty& x);   ///< the hyperbolic tangent
+  friend Fifty asinh(const Fifty& x);  ///< of every x
   friend Fifty acosh(const Fifty& x);  ///< NaN below 1
   friend Fifty atanh(const Fifty& x);  ///< infinite at ±1, NaN beyond
-  friend Fifty pow(const Fifty& x, const Fifty& y);
+  friend Fifty pow(const Fifty& x, const Fifty& y);  ///< NaN for x below zero unless y is whole
   friend Fifty pow(const Fifty& x, int n);  ///< by repeated squaring, for negative x too
-  friend Fifty hypot(const Fifty& x, const Fifty& y);
-  friend Fifty abs(const Fifty& x);
-  friend Fifty fabs(const Fifty& x) { return abs(x); }
-  friend Fifty floor(const Fifty& x);
-  friend Fifty ceil(const Fifty& x);
+  friend Fifty hypot(const Fifty& x, const Fifty& y);  ///< √(xx + yy)
+  friend Fifty abs(const Fifty& x);    ///< without its sign
+  friend Fifty fabs(const Fifty& x) { return abs(x); }  ///< the same
+  friend Fifty floor(const Fifty& x);  ///< the next whole number below
+  friend Fifty ceil(const Fifty& x);   ///< the next whole number above
   friend Fifty round(const Fifty& x);  ///< halves away from zero, as `std::round`
-  friend Fifty ldexp(const Fifty& x, int n);
+  friend Fifty ldexp(const Fifty& x, int n);  ///< x 2ⁿ, exactly
   friend Fifty tgamma(const Fifty& x);  ///< NaN at 0, -1, -2, ...
   friend Fifty lgamma(const Fifty& x);  ///< ln |Γ(x)|; +inf at 0, -1, -2, ...
-  friend bool isfinite(const Fifty& x);
-  friend bool isnan(const Fifty& x);
+  friend bool isfinite(const Fifty& x);  ///< neither infinite nor NaN
+  friend bool isnan(const Fifty& x);     ///< what an undefined operation gives
+  /// @}
 
 private:
   struct Exactly {};

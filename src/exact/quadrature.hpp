@@ -10,9 +10,9 @@ namespace exact {
 
 /// An integral and how far it can be trusted.
 struct Integral {
-  Fifty value;
+  Fifty value;          ///< the integral
   Fifty error;  ///< how much the last halving of the mesh changed the value, and 1e-49 of the integral of |f|
-  int evaluations = 0;
+  int evaluations = 0;  ///< of f
 };
 
 /**

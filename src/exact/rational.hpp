@@ -17,10 +17,13 @@ namespace exact {
 class Rational {
 public:
   Rational();  ///< Zero.
+  /// A whole number.
+  /// @{
   template <std::signed_integral Integer>
   Rational(Integer n) : Rational(static_cast<long long>(n), 1LL) {}
   template <std::unsigned_integral Integer>
   Rational(Integer n) : Rational(std::to_string(n).c_str()) {}
+  /// @}
   Rational(bool) = delete;
   Rational(double) = delete;  ///< a double is a fraction with a power of two below: say so with `exactly`
 
@@ -42,11 +45,12 @@ public:
   explicit operator double() const;  ///< the nearest double, ties to even
   explicit operator Fifty() const;   ///< to the last of its 168 bits
 
+  /// The four operations and the comparisons, exactly. @throws std::domain_error on division by zero
+  /// @{
   Rational& operator+=(const Rational& y);
   Rational& operator-=(const Rational& y);
   Rational& operator*=(const Rational& y);
-  Rational& operator/=(const Rational& y);  ///< @throws std::domain_error if y is zero
-
+  Rational& operator/=(const Rational& y);
   friend Rational operator+(Rational x, const Rational& y) { return x += y; }
   friend Rational operator-(Rational x, const Rational& y) { return x -= y; }
   friend Rational operator*(Rational x, const Rational& y) { return x *= y; }
@@ -56,6 +60,7 @@ public:
   friend bool operator==(const Rational& x, const Rational& y);
   friend std::strong_ordering operator<=>(const Rational& x, const Rational& y);
   friend Rational abs(const Rational& x);
+  /// @}
 
   /// @throws std::domain_error for a negative power of zero
   friend Rational pow(const Rational& x, int n);

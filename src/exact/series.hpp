@@ -24,11 +24,15 @@ namespace exact {
 template <class Coefficient>
 class Series {
 public:
+  /// The order of a polynomial: all its coefficients are known.
   static constexpr int unlimited = std::numeric_limits<int>::max();
 
   Series() = default;  ///< The polynomial 0.
+  /// A constant, as a polynomial.
+  /// @{
   Series(int constant) : Series(Coefficient(constant)) {}
   Series(const Coefficient& constant) : c_{constant} {}
+  /// @}
 
   /// c₀ + c₁x + ..., known to the given order; by default the polynomial itself.
   /// @throws std::invalid_argument if the order is negative
@@ -74,6 +78,10 @@ public:
     return sum;
   }
 
+  /// The four operations, each to the order that its terms determine. Two series are equal when their orders
+  /// and coefficients are. @throws std::domain_error where a quotient is no such series, or
+  /// where both are polynomials, whose quotient needs an order
+  /// @{
   Series& operator+=(const Series& b) { return *this = combine(b, std::plus<>{}); }
   Series& operator-=(const Series& b) { return *this = combine(b, std::minus<>{}); }
   Series& operator*=(const Series& b) { return *this = product(*this, b); }
@@ -93,6 +101,7 @@ public:
     }
     return same;
   }
+  /// @}
 
 private:
   // The degree of what two series of these degrees and orders determine: no more than is asked for.
@@ -341,7 +350,7 @@ template <class Coefficient>
 class Laurent {
 public:
   Laurent() = default;  ///< Zero.
-  Laurent(int constant) : Laurent(Coefficient(constant), 0) {}
+  Laurent(int constant) : Laurent(Coefficient(constant), 0) {}  ///< A constant.
   Laurent(const Coefficient& c, int n = 0) : lowest_(n), c_{c} { trim(); }  ///< c xⁿ
 
   /// The lowest power; 0 for zero.
@@ -371,6 +380,8 @@ public:
     return sum;
   }
 
+  /// Sums, differences, products and equality.
+  /// @{
   Laurent& operator+=(const Laurent& b) { return *this = sum(*this, b, Coefficient(1)); }
   Laurent& operator-=(const Laurent& b) { return *this = sum(*this, b, Coefficient(-1)); }
   friend Laurent operator+(const Laurent& a, const Laurent& b) { return sum(a, b, Coefficient(1)); }
@@ -394,6 +405,12 @@ public:
     return result;
   }
 
+  friend bool operator==(const Laurent& a, const Laurent& b)
+  {
+    return a.lowest_ == b.lowest_ && a.c_ == b.c_;
+  }
+  /// @}
+
   /// By a single power of x. @throws std::domain_error if b is anything else
   friend Laurent operator/(const Laurent& a, const Laurent& b)
   {
@@ -401,11 +418,6 @@ public:
       throw std::domain_error("a Laurent polynomial is divided by a single power only");
     }
     return a * Laurent(Coefficient(1) / b.c_[0], -b.lowest_);
-  }
-
-  friend bool operator==(const Laurent& a, const Laurent& b)
-  {
-    return a.lowest_ == b.lowest_ && a.c_ == b.c_;
   }
 
 private:
