@@ -70,11 +70,7 @@ for (const [, kind, compound] of read(build, 'book.tag').matchAll(
 
 /** A listing: lines in a <pre>, comments `// (n)` linked to the formula that they name. */
 function listing(html, seen) {
-  const lines = [
-    ...html.matchAll(
-      /<div class="line">([^]*?)<\/div>/g,
-    ),
-  ].map((m) => m[1]);
+  const lines = [...html.matchAll(/<div class="line">([^]*?)<\/div>/g)].map((m) => m[1]);
   const linked = lines.map((line) =>
     line
       .replace(/<a [^>]*>(std::\w+)<\/a>/g, '$1')
@@ -88,8 +84,10 @@ function listing(html, seen) {
       ),
   );
   const longest = Math.max(...lines.map((l) => words(l.replace(/ /g, '.')).length));
-  return `<pre class="code${longest > 74 ? ' wide' : ''}" tabindex="0" role="group" aria-label="Code">` +
-  `<code>${linked.join('\n').trimEnd()}</code></pre>`;
+  return (
+    `<pre class="code${longest > 74 ? ' wide' : ''}" tabindex="0" role="group" aria-label="Code">` +
+    `<code>${linked.join('\n').trimEnd()}</code></pre>`
+  );
 }
 
 function mathematics(html, file) {
@@ -142,8 +140,6 @@ function repaired(html, title) {
         /<dl class="section (?:see|return|note|pre|post|warning|remark|author|since)"/g,
         '<dl class="section"',
       )
-      .replace(/<h1>(?!<)/g, '<h2>')
-      .replace(/<\/h1>(?!<\/header>)/g, (t) => t)
   );
 }
 
@@ -154,16 +150,20 @@ function contents(current) {
       here && p.number && p.outline?.length
         ? `<ul>${p.outline.map((h) => `<li><a href="#${slug(h)}">${escape(h)}</a></li>`).join('')}</ul>`
         : '';
-    return `<li>${`<a href="${p.name}.html"${here ? ' aria-current="page"' : ''}>`}` +
-    `${p.number ? `<span class="n">${p.number}</span> ` : ''}${escape(p.title)}</a>${outline}</li>`;
+    return (
+      `<li><a href="${p.name}.html"${here ? ' aria-current="page"' : ''}>` +
+      `${p.number ? `<span class="n">${p.number}</span> ` : ''}${escape(p.title)}</a>${outline}</li>`
+    );
   };
   const plain = (list) => `<ul>\n${list.map(item).join('\n')}\n</ul>`;
   const first = pages.findIndex((p) => p.chapter);
   const last = pages.findLastIndex((p) => p.chapter);
   const middle = chapters.map((c) => {
     const [opening, ...sections] = pages.filter((p) => p.chapter === c.id);
-    return `<details${current.chapter === c.id ? ' open' : ''}><summary>${escape(c.short)}</summary>\n` +
-    `${plain([{ ...opening, title: 'Opening and map' }, ...sections])}</details>`;
+    return (
+      `<details${current.chapter === c.id ? ' open' : ''}><summary>${escape(c.short)}</summary>\n` +
+      `${plain([{ ...opening, title: 'Opening and map' }, ...sections])}</details>`
+    );
   });
   return `${plain(pages.slice(0, first))}\n${middle.join('\n')}\n${plain(pages.slice(last + 1))}`;
 }
@@ -172,7 +172,7 @@ function turn(index) {
   const link = (p, rel, word) =>
     p
       ? `<a rel="${rel}" href="${p.name}.html"><span class="way">${word}</span> ` +
-      `${p.number ? `§ ${p.number}. ` : ''}${escape(p.title)}</a>`
+        `${p.number ? `§ ${p.number}. ` : ''}${escape(p.title)}</a>`
       : '<span></span>';
   return index < 0 ? '' : link(pages[index - 1], 'prev', 'Previous') + link(pages[index + 1], 'next', 'Next');
 }
@@ -272,7 +272,7 @@ const woven = (css, folder, faces) =>
   css.replace(/url\((?:fonts\/)([\w-]+)\.woff2\)/g, (all, face) =>
     faces.test(face)
       ? `url(data:font/woff2;base64,` +
-      `${fs.readFileSync(path.join(folder, `${face}.woff2`)).toString('base64')})`
+        `${fs.readFileSync(path.join(folder, `${face}.woff2`)).toString('base64')})`
       : all,
   );
 const colours = palette(read(source, 'figures/style.gp'));

@@ -2,8 +2,9 @@
 // chapter's map.
 import fs from 'node:fs';
 import path from 'node:path';
-import { races, reading, scenes, sigla, table, tableEnd, verdict } from './cards.mjs';
+import { reading, sigla, table, tableEnd, verdict } from './cards.mjs';
 import { escape } from './prose.mjs';
+import * as speed from './speed.mjs';
 
 const twoDigits = (n) => String(n).padStart(2, '0');
 const sectionsOf = (book, chapter) => [...book.sections.values()].filter((s) => s.chapter === chapter.id);
@@ -16,8 +17,10 @@ function map(book, chapter) {
   const entry = (n) => {
     const s = book.sections.get(`${chapter.id}.${twoDigits(n)}`);
     if (!s)
-      return `<li id="s${twoDigits(n)}" class="not-yet"><span class="n">§ ${n}</span> <span>not yet</span>` +
-      `</li>`;
+      return (
+        `<li id="s${twoDigits(n)}" class="not-yet"><span class="n">§ ${n}</span> <span>not yet</span>` +
+        `</li>`
+      );
     const thumbnail = s.figures.length
       ? `<img src="thumbnails/${s.figures[0]}.svg" alt="" width="128" height="80" loading="lazy">`
       : '';
@@ -59,16 +62,19 @@ function apparatus(book) {
     .map(([kind, list, heading]) => {
       const found = [...book.sections.values()].flatMap((s) => s.told[list].map((e, i) => [s, e, i + 1]));
       const items = found.map(([s, e, i]) => {
-        const home = ` <a href="${s.name}.html#${kind}-${i}">` +
-        `${escape(book.chapters.find((c) => c.id === s.chapter).short)}</a>`;
+        const home =
+          ` <a href="${s.name}.html#${kind}-${i}">` +
+          `${escape(book.chapters.find((c) => c.id === s.chapter).short)}</a>`;
         return `<li>${reading(
           e,
           s.check.apparatus.find((a) => a.kind === kind && a.where === e.where),
           home,
         )}</li>`;
       });
-      return `<h2 id="${list}">${heading}</h2>\n` +
-      `${items.length ? `<ul class="entries">\n${items.join('\n')}\n</ul>` : '<p>None yet.</p>'}\n`;
+      return (
+        `<h2 id="${list}">${heading}</h2>\n` +
+        `${items.length ? `<ul class="entries">\n${items.join('\n')}\n</ul>` : '<p>None yet.</p>'}\n`
+      );
     })
     .join('');
 }
@@ -94,30 +100,13 @@ function concordance(book) {
           `<td>${s.checks} ${verdict(s.holds)}</td><td class="word">${figures}</td></tr>`
         );
       });
-      return `<h2 id="${c.id}">${escape(c.title)}</h2>\n` +
-      `${table(`Sections of ${c.short}`, ['', 'page', 'program', 'checks', 'figures'])}${rows.join('\n')}` +
-      `${tableEnd}`;
+      return (
+        `<h2 id="${c.id}">${escape(c.title)}</h2>\n` +
+        `${table(`Sections of ${c.short}`, ['', 'page', 'program', 'checks', 'figures'])}${rows.join('\n')}` +
+        `${tableEnd}`
+      );
     })
     .join('');
-}
-
-/** All races, and the library against its peers. */
-function speed(book) {
-  const raced = [...book.sections.values()].filter((s) => s.told.races.length);
-  const peers = path.join(book.source, 'book/speeds/swing.json');
-  const library = fs.existsSync(peers)
-    ? `<h2 id="library">The library and its peers</h2>\n${scenes(JSON.parse(fs.readFileSync(peers, 'utf8')))}`
-    : '';
-  return `<h2 id="sections">The sections</h2>\n${
-    raced
-      .map(
-        (s) =>
-          `<h3><a href="${s.name}.html#speed-against-error">` +
-          `${escape(book.chapters.find((c) => c.id === s.chapter).short)} § ${Number(s.number)}</a>, ` +
-          `${escape(s.told.title)}</h3>\n${races(s, { ...book, plots: false })}`,
-      )
-      .join('') || '<p>None yet.</p>'
-  }\n${library}`;
 }
 
 /** What the programs and the book were made with. */
@@ -142,4 +131,16 @@ const search = () => `<form class="search" role="search" action="search.html">
 <script src="search.js" defer></script>
 `;
 
-export const lists = { map, chapters, apparatus, concordance, speed, colophon, search };
+export const lists = {
+  map,
+  chapters,
+  apparatus,
+  concordance,
+  races: speed.ofSections,
+  scene: speed.scene,
+  errors: speed.errors,
+  scenes: speed.scenes,
+  provenance: speed.provenance,
+  colophon,
+  search,
+};

@@ -115,7 +115,7 @@ export const slug = (text) =>
 
 /**
  * One page under way: renders its pieces of prose, and knows what they refer to. `book` has formulas,
- * sections (by id: told, equations, title), chapters, and `collected(name, page)` for the lists that the
+ * sections (by id: told, equations, title), chapters, and `collected(what)` for the lists that the
  * weaver makes.
  */
 export class Page {
@@ -145,8 +145,9 @@ export class Page {
     return this.line + this.text.slice(0, Math.max(this.text.indexOf(piece), 0)).split('\n').length - 1;
   }
 
-  /** The value behind a name, of this section or (chapter.NN.name) of another. */
+  /** The value behind a name: of this section, of another (chapter.NN.name), or a recorded time (speed....). */
   value(name) {
+    if (name.startsWith('speed.')) return this.book.speed(name);
     const [, id, own] = /^(?:([a-z]+\.\d\d)\.)?(\w+)$/.exec(name) ?? [];
     const section = id ? this.book.sections.get(id) : this.section;
     const told =
@@ -187,14 +188,19 @@ export class Page {
       if (id && !target) return `${this.linkToSection(id)} (${number})`;
       if (!target?.equations.has(number)) throw new Error(`no formula (${number}) for {{${what}}}`);
       const prefix = id ? `${this.nameOf(id)} ` : '';
-      return `<a class="eqref" href="${id ? `${target.name}.html` : ''}#eq-${number}">${prefix}(${number})` +
-      `</a>`;
+      return (
+        `<a class="eqref" href="${id ? `${target.name}.html` : ''}#eq-${number}">${prefix}(${number})` +
+        `</a>`
+      );
     }
     const { value, number } = this.number(what, sign);
-    const title = `${value.full} = ${value.text ?? value.value}${value.unit ? ` ${value.unit}` : ''}: ` +
-    `${value.meaning}`;
-    return `<data value="${escape(value.text ?? value.value)}" title="${escape(title)}">` +
-    `${escape(asText(number))}</data>`;
+    const title =
+      `${value.full} = ${value.text ?? value.value}${value.unit ? ` ${value.unit}` : ''}: ` +
+      `${value.meaning}`;
+    return (
+      `<data value="${escape(value.text ?? value.value)}" title="${escape(title)}">` +
+      `${escape(asText(number))}</data>`
+    );
   }
 
   nameOf(id) {
@@ -220,15 +226,18 @@ export class Page {
     this.within = tex.split('\n')[0];
     const number = /\\tag\{([^}]+)\}/.exec(tex)?.[1];
     const html = this.formulas.set(this.fill(tex.replace(/\\tag\{[^}]+\}/, '')), true);
-    const formula = `<div class="formula" tabindex="0" role="group" aria-label="Formula` +
-    `${number ? ` ${number}` : ''}">${html}</div>`;
+    const formula =
+      `<div class="formula" tabindex="0" role="group" aria-label="Formula` +
+      `${number ? ` ${number}` : ''}">${html}</div>`;
     if (!number) return `<div class="equation">${formula}</div>\n`;
     const code = this.section?.coded.has(number)
       ? `<a class="to-code" href="#code-` +
-      `${number}" title="the code that is this formula" aria-label="code of formula ${number}">code</a>`
+        `${number}" title="the code that is this formula" aria-label="code of formula ${number}">code</a>`
       : '';
-    return `<div class="equation" id="eq-${number}">${formula}<span class="number"><a href="#eq-` +
-    `${number}">(${number})</a>${code}</span></div>\n`;
+    return (
+      `<div class="equation" id="eq-${number}">${formula}<span class="number"><a href="#eq-` +
+      `${number}">(${number})</a>${code}</span></div>\n`
+    );
   }
 
   division(kind, text) {
@@ -277,6 +286,6 @@ export class Page {
 
   collected(name) {
     this.within = name;
-    return this.book.collected(name.trim(), this);
+    return this.book.collected(name.trim());
   }
 }

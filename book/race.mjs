@@ -1,14 +1,34 @@
-// Draws a section's races, error against time, from what its program told and the run recorded in
-// book/speeds. Usage: node race.mjs SOURCE BUILD PROGRAM GNUPLOT.
+// Draws error against time: a section's races, from what its program told and the run recorded in book/speeds;
+// for the name `swing`, the scenes of the library and its peers, and of each group of scenes the worst errors
+// side by side. Usage: node race.mjs SOURCE BUILD PROGRAM GNUPLOT.
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
+import { groups, idOf, plainly } from './scenes.mjs';
 
 const [source, build, program, gnuplot] = process.argv.slice(2);
 const json = (...file) => JSON.parse(fs.readFileSync(path.join(...file), 'utf8'));
-const told = json(build, `told/${program}.json`);
 const recorded = json(source, `book/speeds/${program}.json`);
-const floor = 1e-17; // where an error of nothing is drawn
+
+/** A method's colour, as a linetype of figures/style.gp. */
+const colour = { ours: 1, Euler: 2, classic: 3, peer: 7 };
+
+const lines = (heads, rows) => [heads, ...rows].map((r) => `${r.join('\t')}\n`).join('');
+
+/** Runs a script of figures/ on blocks of data; `set` is what else gnuplot is told before it. */
+function draw(script, name, blocks, set) {
+  const data = path.join(build, `told/${name}.tsv`);
+  fs.writeFileSync(data, blocks.join('\n\n'));
+  const out = path.join(build, `drawn/${name}.svg`);
+  fs.mkdirSync(path.dirname(out), { recursive: true });
+  const settings = `data='${path.dirname(data)}'; source='${name}'; out='${out}'; ${set}`;
+  const run = spawnSync(gnuplot, ['-e', settings, script], {
+    cwd: source,
+    encoding: 'utf8',
+    env: { ...process.env, LC_ALL: 'C.UTF-8' },
+  });
+  if (run.status !== 0 || run.stderr) throw new Error(`${script}: ${run.stderr}`);
+}
 
 /** Those that no other beats both in time and in error, from the quickest to the most exact. */
 const front = (points) =>
@@ -16,10 +36,14 @@ const front = (points) =>
     .sort((a, b) => a.seconds - b.seconds || a.error - b.error)
     .filter((p, i, all) => all.slice(0, i).every((q) => q.error > p.error));
 
-/** Heights at the right edge for the names, in the order of the errors, `apart` decades at least. */
+/**
+ * Heights at the right edge for the names, in the order of the errors, `apart` decades at least; of errors that are
+ * nearly the same, the slowest lowest, so that its line crosses no other.
+ */
 function spread(points, apart) {
+  const step = (p) => Math.round(Math.log10(p.error) / apart);
   const placed = [...points]
-    .sort((a, b) => a.error - b.error || a.seconds - b.seconds)
+    .sort((a, b) => step(a) - step(b) || b.seconds - a.seconds)
     .map((p) => ({ ...p, height: Math.log10(p.error) }));
   placed.forEach((p, i) => {
     if (i && p.height < placed[i - 1].height + apart) p.height = placed[i - 1].height + apart;
@@ -27,15 +51,9 @@ function spread(points, apart) {
   return placed;
 }
 
-for (const race of told.races) {
-  const times = recorded.races.find((r) => r.name === race.name)?.methods ?? [];
-  const points = race.methods.flatMap((m) => {
-    const time = times.find((t) => t.name === m.name);
-    return time && Number.isFinite(m.relative)
-      ? [{ name: m.name, family: m.family, seconds: time.seconds, error: Math.max(m.relative, floor) }]
-      : [];
-  });
-  if (!points.length) continue;
+/** Error against time for `points` { name, family, kind, seconds, error }. */
+function race(name, points, quantity) {
+  if (!points.length) return;
   const families = [...new Set(points.map((p) => p.family).filter(Boolean))];
   const decades = (key, digits) => [
     Math.floor(Math.min(...points.map((p) => Math.log10(p[key]))) - digits),
@@ -43,35 +61,100 @@ for (const race of told.races) {
   ];
   const [left, right] = decades('seconds', 0.05);
   const [low, high] = decades('error', 0.3);
-  const rows = (list) =>
-    list.map((p) => `${p.name}\t${p.seconds}\t${p.error}\t${10 ** (p.height ?? 0)}\n`).join('');
-  const block = (list) => `name\tseconds\terror\theight\n${list}`;
   const labelled = spread(
     points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)),
     (high - low) / 15,
   );
-  const data = path.join(build, `told/${program}.race-${race.name}.tsv`);
-  fs.writeFileSync(
-    data,
+  const top = Math.max(high, Math.ceil(Math.max(...labelled.map((p) => p.height)) + 0.3));
+  const heads = ['name', 'seconds', 'error', 'height', 'colour'];
+  const rows = (list) => list.map((p) => [p.name, p.seconds, p.error, 10 ** (p.height ?? 0), colour[p.kind]]);
+  const joined = families.map((f) => rows(points.filter((p) => p.family === f)).map((r) => r.join('\t')));
+  draw(
+    'figures/race.gp',
+    name,
     [
-      ...[points, front(points), labelled].map(rows),
-      families.map((f) => rows(points.filter((p) => p.family === f))).join('\n'),
-    ]
-      .map(block)
-      .join('\n\n'),
-  );
-  const out = path.join(build, `drawn/${program}.race-${race.name}.svg`);
-  fs.mkdirSync(path.dirname(out), { recursive: true });
-  const run = spawnSync(
-    gnuplot,
-    [
-      '-e',
-      `data='${path.dirname(data)}'; race='${path.basename(data, '.tsv')}'; families=` +
-      `${families.length}; left=1e${left}; right=1e${right}; low=1e${low}; high=1e${high}; out='${out}'`,
-      'figures/race.gp',
+      ...[points, front(points), labelled].map((list) => lines(heads, rows(list))),
+      `${heads.join('\t')}\n${joined.map((f) => `${f.join('\n')}\n`).join('\n')}`,
     ],
-    { cwd: source, encoding: 'utf8', env: { ...process.env, LC_ALL: 'C.UTF-8' } },
+    `quantity='${quantity}'; families=${families.length}; ` +
+      `left=1e${left}; right=1e${right}; low=1e${low}; high=1e${top}`,
   );
-  if (run.status !== 0 || run.stderr) throw new Error(`figures/race.gp: ${run.stderr}`);
+}
+
+/** The methods that belong together as variants of one, "array, avx2": what they are called in common. */
+const family = (name) => /^(.*), (?:[\d]|sse|avx|portable)/.exec(name)?.[1];
+
+/** The worst errors of a group of scenes, scene by scene; variants with the same errors are drawn as one. */
+function errors(name, group) {
+  const ways = new Map();
+  group.scenes.forEach((scene, row) =>
+    scene.methods.forEach((m) => {
+      const label = family(m.name) ?? m.name.replace(/, one by one$/, '');
+      const way = ways.get(label) ?? { label, kind: m.kind, at: [] };
+      way.at[row] = { row, error: m.failures < m.judged ? Math.max(m.ulps_max, 0.05) : NaN };
+      ways.set(label, way);
+    }),
+  );
+  const all = [...ways.values()];
+  const others = all.filter((way) => way.kind !== 'ours');
+  for (const way of all) way.colour = way.kind === 'ours' ? 1 : [7, 4, 3, 2, 5, 6][others.indexOf(way)];
+  // Each name stands where its line is farthest from the others, and no two in one row.
+  const clear = (way, p) =>
+    Math.min(...all.filter((w) => w !== way).map((w) => Math.abs(Math.log10(w.at[p.row].error / p.error))));
+  const taken = new Set();
+  const place = (way) => {
+    const best = way.at
+      .filter((p) => !taken.has(p.row))
+      .reduce((a, b) => (clear(way, b) > clear(way, a) ? b : a));
+    taken.add(best.row);
+    return best;
+  };
+  draw(
+    'figures/errors.gp',
+    name,
+    [
+      ...all.map((way) =>
+        lines(
+          ['scene', 'row', 'error', 'colour'],
+          way.at.map((p) => [group.scenes[p.row].short, p.row, p.error, way.colour]),
+        ),
+      ),
+      lines(
+        ['name', 'row', 'error', 'colour'],
+        all.map((way) => [way, place(way)]).map(([way, p]) => [way.label, p.row, p.error, way.colour]),
+      ),
+    ],
+    `ways=${all.length}; rows=${group.scenes.length - 1}; unit='${group.scenes[0].error_unit}'`,
+  );
+}
+
+if (recorded.scenes) {
+  for (const scene of recorded.scenes)
+    race(
+      `${program}.race-${idOf(scene.name)}`,
+      scene.methods
+        .filter((m) => m.failures < m.judged)
+        .map((m) => ({
+          ...m,
+          name: plainly(m.name),
+          family: family(m.name),
+          error: Math.max(m.ulps_max, 0.05),
+        })),
+      `worst error (${scene.error_unit})`,
+    );
+  for (const group of groups(recorded.scenes).filter((g) => g.scenes.length > 5))
+    errors(`${program}.errors-${group.id}`, group);
+} else {
+  for (const one of json(build, `told/${program}.json`).races) {
+    const times = recorded.races.find((r) => r.name === one.name)?.methods ?? [];
+    const points = one.methods.flatMap((m) => {
+      const time = times.find((t) => t.name === m.name);
+      const kind = /^this edition/.test(m.name) ? 'ours' : /^Euler/.test(m.name) ? 'Euler' : 'peer';
+      return time && Number.isFinite(m.relative)
+        ? [{ ...m, kind, seconds: time.seconds, error: Math.max(m.relative, 1e-17) }]
+        : [];
+    });
+    race(`${program}.race-${one.name}`, points, 'relative error');
+  }
 }
 fs.writeFileSync(path.join(build, `drawn/${program}.races`), '');

@@ -3,12 +3,13 @@
 // build/book).
 import fs from 'node:fs';
 import path from 'node:path';
-import { claims, races, reading, sigla, verdict } from './cards.mjs';
+import { claims, reading, sigla, verdict } from './cards.mjs';
 import { palette, inline, standalone, thumbnail } from './figure.mjs';
 import { lists } from './lists.mjs';
 import { packages } from './packages.mjs';
 import { Formulas, Page, escape } from './prose.mjs';
 import { blocks, named, tagged } from './section.mjs';
+import { races, value } from './speed.mjs';
 
 /** A fault is one line: where, and what. */
 process.on('uncaughtException', (error) => {
@@ -115,40 +116,54 @@ const book = {
 
 // ----------------------------------------------------------------------------------------------- the figures
 
-/** A figure on a page, with what can be taken away: the drawing, its script, its data. */
+/** A drawing on a page, with what can be taken away: itself, its script, its data. */
+function shown(name, script, data, alt, opening, caption) {
+  const drawn = path.join(build, `drawn/${name}.svg`);
+  if (!fs.existsSync(drawn)) throw new Error(`${script} has drawn nothing`);
+  const svg = read(drawn);
+  const file = path.basename(script);
+  write(`html/figures/${name}.svg`, standalone(svg, name, alt, book.colours));
+  write(`html/figures/${file}`, read(path.join(source, script)));
+  for (const tsv of data) {
+    const told = path.join(build, 'told', tsv);
+    if (!fs.existsSync(told)) fail(script, 1, `draws from ${tsv}, which no program writes`);
+    write(`html/data/${tsv}`, read(told));
+  }
+  const links = [
+    [`figures/${name}.svg`, 'drawing'],
+    [`figures/${file}`, 'script'],
+    ...data.map((f) => [`data/${f}`, f]),
+  ];
+  return (
+    `${opening}\n${inline(svg, name, alt, book.colours)}<figcaption>${caption}` +
+    `<span class="take">${links.map(([to, text]) => `<a href="${to}" download>${text}</a>`).join(' ')}` +
+    `</span></figcaption>\n</figure>\n`
+  );
+}
+
+/** A section's figure. */
 book.figure = (name, alt, caption, page) => {
   const script = `figures/${name}.gp`;
   const own = page.section && name.startsWith(page.section.name);
   if (!own || !fs.existsSync(path.join(source, script)))
     throw new Error(`there is no ${script} for ::: figure ${name}`);
-  const drawn = path.join(build, `drawn/${name}.svg`);
-  if (!fs.existsSync(drawn)) throw new Error(`${script} has drawn nothing`);
-  const svg = read(drawn);
-  book.drawn.add(name);
-  write(`html/figures/${name}.svg`, standalone(svg, name, alt, book.colours));
-  write(`html/figures/${name}.gp`, read(path.join(source, script)));
-  write(`html/thumbnails/${name}.svg`, thumbnail(svg, name, book.colours));
   const data = [
     ...new Set([...read(path.join(source, script)).matchAll(/tsv\("([^"]+)"\)/g)].map((m) => `${m[1]}.tsv`)),
   ];
-  for (const file of data) {
-    const told = path.join(build, 'told', file);
-    if (!fs.existsSync(told)) fail(script, 1, `draws from ${file}, which no program writes`);
-    write(`html/data/${file}`, read(told));
-  }
-  const links = [
-    [`figures/${name}.svg`, 'drawing'],
-    [`figures/${name}.gp`, 'script'],
-    ...data.map((f) => [`data/${f}`, f]),
-  ];
   const number = page.figures.length;
-  return (
-    `<figure id="fig-${number}">\n${inline(svg, name, alt, book.colours)}<figcaption>` +
-    `<span class="label">Fig. ${number}</span> ${caption}` +
-    `<span class="take">${links.map(([to, text]) => `<a href="${to}" download>${text}</a>`).join(' ')}` +
-    `</span></figcaption>\n</figure>\n`
+  const label = `<span class="label">Fig. ${number}</span> ${caption}`;
+  const figure = shown(name, script, data, alt, `<figure id="fig-${number}">`, label);
+  book.drawn.add(name);
+  write(
+    `html/thumbnails/${name}.svg`,
+    thumbnail(read(path.join(build, `drawn/${name}.svg`)), name, book.colours),
   );
+  return figure;
 };
+
+/** A plot that race.mjs has drawn by a script that many share, its data under the plot's own name. */
+book.plot = (name, script, alt, caption) =>
+  shown(name, script, [`${name}.tsv`], alt, '<figure>', `${caption} `);
 
 // ----------------------------------------------------------------------------------------- the section pages
 
@@ -213,7 +228,7 @@ function sectionPage(s) {
       return (
         html(
           `<section class="check" id="check-${count.check}"><p class="statement">${verdict(run.passed)} ` +
-          `${escape(sentence(b.name))}</p>`,
+            `${escape(sentence(b.name))}</p>`,
         ) +
         code(b.code, s.file, b.line) +
         html(`${claims(run.claims)}</section>`)
@@ -231,7 +246,7 @@ function sectionPage(s) {
     return (
       html(
         `<section class="entry ${kind}" id="${kind}-${n}">${reading(declared, tried)}<details>` +
-        `<summary>the proof</summary>`,
+          `<summary>the proof</summary>`,
       ) +
       code(b.code, s.file, b.line) +
       html('</details></section>')
@@ -282,7 +297,7 @@ function sectionPage(s) {
   const plain =
     html(
       `<details class="plain"><summary>The whole program</summary>\n<p class="take"><a href="programs/` +
-      `${s.name}.cpp" download>${s.name}.cpp</a></p>`,
+        `${s.name}.cpp" download>${s.name}.cpp</a></p>`,
     ) + `\\include ${s.chapter}/s${s.number}.cpp\n${html('</details>')}`;
   write(`dox/${s.name}.dox`, page(s.name, s.told.title, `${html(head)}\n${body}\n${plain}`));
   return {
@@ -329,23 +344,26 @@ function proseFile(file, name, head, more) {
   return { name, title, outline: [...text.matchAll(/^## (.+)$/gm)].map((m) => m[1]) };
 }
 
-book.collected = (name, p) => {
-  if (!lists[name]) throw new Error(`{{collected ${name}}} is not known (${Object.keys(lists).join(', ')})`);
-  return lists[name](book, p);
+book.collected = (what) => {
+  const [name, rest] = what.split(/ (.*)/);
+  if (!lists[name]) throw new Error(`{{collected ${what}}} is not known (${Object.keys(lists).join(', ')})`);
+  return lists[name](book, rest);
 };
+book.speed = (name) => value(book, name);
 
 function everything() {
   const pages = new Map([...book.sections.values()].map((s) => [s.name, sectionPage(s)]));
   for (const script of fs.readdirSync(path.join(source, 'figures')).filter((f) => f.endsWith('.gp'))) {
     const name = script.slice(0, -3);
-    if (!['style', 'race'].includes(name) && !book.drawn.has(name))
+    if (!['style', 'race', 'errors'].includes(name) && !book.drawn.has(name))
       fail(`figures/${script}`, 1, 'an orphan: no section shows this figure');
   }
   const matter = (name) => proseFile(`book/matter/${name}.md`, name, '', '');
   const order = edition.before.map(matter);
   for (const c of edition.chapters) {
-    const head = `<p class="running"><span class="paper" lang="la">${c.paper}</span>` +
-    `${c.where ? `, ${c.where}` : ''}</p>`;
+    const head =
+      `<p class="running"><span class="paper" lang="la">${c.paper}</span>` +
+      `${c.where ? `, ${c.where}` : ''}</p>`;
     order.push({
       ...proseFile(`chapters/${c.id}/chapter.md`, c.id, head, lists.map(book, c)),
       title: c.title,

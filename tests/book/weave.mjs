@@ -171,6 +171,16 @@ const faults = {
     /s11\.cpp:LINE: no value is told by the name of \{\{third\}\}/,
     '{{third}}',
   ],
+  'a recorded number that is none': [
+    ['s11.cpp', '{{half|f2}}', '{{speed.k-by-modulus.table.slower}}'],
+    /s11\.cpp:LINE: \{\{speed\.k-by-modulus\.table\.slower\}\} ends in none of/,
+    '{{speed',
+  ],
+  'a recorded number of no scene': [
+    ['s11.cpp', '{{half|f2}}', '{{speed.k-by-hand.table.worst}}'],
+    /s11\.cpp:LINE: no scene k-by-hand/,
+    '{{speed',
+  ],
   'an unknown value in a formula': [
     ['s11.cpp', '{{half|3}}', '{{third}}'],
     /s11\.cpp:\d+: no value is told by the name of \{\{third\}\}/,

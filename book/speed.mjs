@@ -1,0 +1,175 @@
+// Speed against error: the ways to one number in a section, and the library against its peers.
+import fs from 'node:fs';
+import path from 'node:path';
+import { table, tableEnd } from './cards.mjs';
+import { asText, asTime, format } from './numbers.mjs';
+import { escape } from './prose.mjs';
+import { groups, idOf, plainly } from './scenes.mjs';
+
+const short = (x, form) => asText(format({ value: x }, x !== 0 && (x < 1e-3 || x >= 1e5) ? 'e2' : form));
+const ulps = (m) => (m.failures === m.judged ? 'fails' : short(m.ulps_max, '2'));
+
+const recordedOn = (run) =>
+  `Recorded on ${escape(run.machine)} with ${escape(run.compiler)}, ${escape(run.flags)}.`;
+
+/** A plot that race.mjs has drawn, or nothing. */
+function plot(book, name, alt, caption, script = 'race') {
+  const drawn = fs.existsSync(path.join(book.build, `drawn/${name}.svg`));
+  return drawn ? book.plot(name, `figures/${script}.gp`, alt, caption) : '';
+}
+
+const capital = (words) => words[0].toUpperCase() + words.slice(1);
+const left = 'Left and low is better; the dashed steps join the ways that no other beats in both.';
+
+/**
+ * The several ways to one number: error of each, and time and plot where a run is recorded in book/speeds.
+ */
+export function races(section, book) {
+  return section.told.races
+    .map((race) => {
+      const recorded = section.speeds?.races.find((r) => r.name === race.name)?.methods ?? [];
+      const rows = race.methods.map((m) => {
+        const time = recorded.find((r) => r.name === m.name);
+        const cells = [
+          asText(format({ value: m.value }, '17')),
+          asText(format({ value: m.ulps }, '2')),
+          asText(format({ value: m.relative }, 'e2')),
+          ...(recorded.length ? [time ? asTime(time.seconds) : '', time ? short(time.ratio, '3') : ''] : []),
+        ];
+        return `<tr><th scope="row">${escape(m.name)}</th>${cells.map((c) => `<td>${c}</td>`).join('')}</tr>\n`;
+      });
+      const heads = [
+        'way',
+        'value',
+        'error <span class="unit">ulp</span>',
+        'relative error',
+        ...(recorded.length ? ['time', 'ratio'] : []),
+      ];
+      const exact = asText(format({ value: Number(race.exact), text: race.exact }, '30'));
+      const alt =
+        `The ways to ${race.quantity}: relative error against time per evaluation, both logarithmic. ` +
+        `The numbers stand in the table below.`;
+      return (
+        `<p class="race">${escape(race.quantity)}, exactly <data>${exact}</data></p>\n` +
+        `${plot(book, `${section.name}.race-${race.name}`, alt, `Error against time for one evaluation. ${left}`)}` +
+        `${table(`Ways to ${escape(race.quantity)}`, heads)}${rows.join('')}${tableEnd}` +
+        `${
+          recorded.length
+            ? `<p class="provenance">${recordedOn(section.speeds)} The errors are of this build. The library against ` +
+              `its peers: <a href="speed.html">Speed against error</a>.</p>\n`
+            : ''
+        }`
+      );
+    })
+    .join('');
+}
+
+/** All races of the sections, a line each: the quickest way, and the quickest that is right to two ulps. */
+export function ofSections(book) {
+  const rows = [...book.sections.values()].flatMap((s) =>
+    s.told.races.map((race) => {
+      const times = s.speeds?.races.find((r) => r.name === race.name)?.methods ?? [];
+      const ways = race.methods
+        .map((m) => ({ ...m, seconds: times.find((t) => t.name === m.name)?.seconds ?? Infinity }))
+        .sort((a, b) => a.seconds - b.seconds || a.ulps - b.ulps);
+      const cell = (m) =>
+        m
+          ? `<td class="word">${escape(m.name)}<span class="below">${short(m.relative, '2')}` +
+            `${Number.isFinite(m.seconds) ? `, ${asTime(m.seconds)}` : ''}</span></td>`
+          : '<td class="word">none</td>';
+      const chapter = book.chapters.find((c) => c.id === s.chapter).short;
+      return (
+        `<tr><th scope="row"><a href="${s.name}.html#speed-against-error">${escape(chapter)} § ` +
+        `${Number(s.number)}</a></th><td class="word">${escape(race.quantity)}</td><td>${ways.length}</td>` +
+        `${cell(ways[0])}${cell(ways.find((m) => m.ulps <= 2))}</tr>\n`
+      );
+    }),
+  );
+  const heads = ['', 'number', 'ways', 'quickest of all', 'quickest right to 2 ulps'];
+  return rows.length
+    ? `${table('Races of the sections', heads)}${rows.join('')}${tableEnd}`
+    : '<p>None yet.</p>';
+}
+
+/** The library's recorded run: its scenes by the name that prose gives them. */
+function scenesOf(book) {
+  const file = path.join(book.source, 'book/speeds/swing.json');
+  if (!fs.existsSync(file)) throw new Error('book/speeds/swing.json is missing; ./euler bench records it');
+  return JSON.parse(fs.readFileSync(file, 'utf8'));
+}
+
+function find(list, name, what) {
+  const found = list.find((x) => x.name === name || idOf(plainly(x.name)) === name);
+  if (!found) throw new Error(`no ${what} ${name} (${list.map((x) => idOf(plainly(x.name))).join(', ')})`);
+  return found;
+}
+
+/** `{{collected scene NAME}}`: one scene, plot and numbers. */
+export function scene(book, name) {
+  const it = find(scenesOf(book).scenes, name, 'scene');
+  const alt = `${it.quantity}: worst error against time per evaluation, both logarithmic, for ${it.methods.length} ways.`;
+  const heads = ['way', 'time', 'ratio', `worst <span class="unit">${it.error_unit}</span>`, 'mean', 'fails'];
+  const rows = it.methods.map(
+    (m) =>
+      `<tr><th scope="row">${escape(m.name)}</th><td>${asTime(m.seconds)}</td><td>${short(m.ratio, '3')}</td>` +
+      `<td>${ulps(m)}</td><td>${m.failures === m.judged ? '' : short(m.ulps_mean, '2')}</td>` +
+      `<td>${m.failures ? `${m.failures} of ${m.judged}` : ''}</td></tr>\n`,
+  );
+  return (
+    `${plot(book, `swing.race-${idOf(it.name)}`, alt, `${escape(capital(it.quantity))}. ${left}`)}` +
+    `<details class="folded"><summary>the numbers of all ${it.methods.length}</summary>\n` +
+    `${table(escape(it.name), heads)}${rows.join('')}${tableEnd}</details>\n`
+  );
+}
+
+/** `{{collected errors GROUP}}`: the worst errors of a group of scenes, side by side. */
+export function errors(book, name) {
+  const group = find(groups(scenesOf(book).scenes), name, 'group of scenes');
+  const alt = `${group.name}: the worst error of each way in ${group.scenes.length} scenes, logarithmic.`;
+  return plot(
+    book,
+    `swing.errors-${group.id}`,
+    alt,
+    `${escape(group.scenes[0].quantity)}: the worst errors, in ${escape(group.scenes[0].error_unit)}, scene by scene.`,
+    'errors',
+  );
+}
+
+/** `{{collected scenes GROUP}}`: the numbers of a group of scenes, worst error above time. */
+export function scenes(book, name) {
+  const group = find(groups(scenesOf(book).scenes), name, 'group of scenes');
+  const rows = group.scenes[0].methods.map((first) => {
+    const cells = group.scenes.map((s) => {
+      const m = find(s.methods, first.name, 'method');
+      return `<td>${ulps(m)}<span class="below">${asTime(m.seconds)}</span></td>`;
+    });
+    return `<tr><th scope="row">${escape(first.name)}</th>${cells.join('')}</tr>\n`;
+  });
+  const heads = [
+    'worst error, time',
+    ...group.scenes.map((s) => `<span class="scene">${escape(s.short)}</span>`),
+  ];
+  return `${table(escape(group.name), heads).replace('table broad', 'table broad tight')}${rows.join('')}${tableEnd}`;
+}
+
+/** `{{collected provenance}}`: on what the library's run was recorded. */
+export const provenance = (book) => `<p class="provenance">${recordedOn(scenesOf(book))}</p>\n`;
+
+/**
+ * A recorded number by its name in prose, speed.SCENE.METHOD.WHAT: `faster`, how many times as fast as the scene's
+ * peer; `worst`, the worst error; `ns`, the time of one evaluation; `fails`, the share of arguments it fails at.
+ */
+export function value(book, name) {
+  const [, where, method, what] = name.split('.');
+  const it = find(scenesOf(book).scenes, where, 'scene');
+  const m = find(it.methods, method ?? '', 'method');
+  const meanings = {
+    faster: [1 / m.ratio, `how many times as fast as ${it.peer}`],
+    worst: [m.ulps_max, `worst error, ${it.error_unit}`],
+    ns: [m.seconds * 1e9, 'nanoseconds for one evaluation'],
+    fails: [m.failures / m.judged, 'share of the arguments at which it gives no number'],
+  };
+  if (!meanings[what]) throw new Error(`{{${name}}} ends in none of ${Object.keys(meanings).join(', ')}`);
+  const [number, meaning] = meanings[what];
+  return { value: number, unit: '', meaning: `${it.name}, ${m.name}: ${meaning}`, full: name };
+}
