@@ -39,13 +39,14 @@ function map(book, chapter) {
 
 /** The four chapters, for the front page. */
 function chapters(book) {
+  const there = (n, c) => (n === c.sections ? `all ${n} sections` : `${n} of ${c.sections} sections`);
   return `<ol class="chapters">\n${book.chapters
     .map(
       (c) =>
         `<li><a href="${c.id}.html">${escape(c.title)}</a> <span class="paper" lang="la">${escape(c.paper)}` +
         `</span>` +
-        `<span class="state">${c.where ? `${escape(c.where)} · ` : ''}${sectionsOf(book, c).length} of ` +
-        `${c.sections} sections</span></li>`,
+        `<span class="state">${c.where ? `${escape(c.where)} · ` : ''}${there(sectionsOf(book, c).length, c)}` +
+        `</span></li>`,
     )
     .join('\n')}\n</ol>\n`;
 }

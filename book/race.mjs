@@ -63,7 +63,7 @@ function race(name, points, quantity) {
   const [low, high] = decades('error', 0.3);
   const labelled = spread(
     points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)),
-    (high - low) / 15,
+    (high - low) / 13,
   );
   const top = Math.max(high, Math.ceil(Math.max(...labelled.map((p) => p.height)) + 0.3));
   const heads = ['name', 'seconds', 'error', 'height', 'colour'];

@@ -141,24 +141,23 @@ function shown(name, script, data, alt, opening, caption) {
   );
 }
 
-/** A section's figure. */
+/** A section's figure, on its own page; or, without a number, on a page that is no section. */
 book.figure = (name, alt, caption, page) => {
   const script = `figures/${name}.gp`;
-  const own = page.section && name.startsWith(page.section.name);
+  const own = !page.section || name.startsWith(page.section.name);
   if (!own || !fs.existsSync(path.join(source, script)))
     throw new Error(`there is no ${script} for ::: figure ${name}`);
-  const data = [
-    ...new Set([...read(path.join(source, script)).matchAll(/tsv\("([^"]+)"\)/g)].map((m) => `${m[1]}.tsv`)),
-  ];
+  const text = read(path.join(source, script));
+  const data = [...new Set([...text.matchAll(/tsv\("([^"]+)"\)/g)].map((m) => `${m[1]}.tsv`))];
   const number = page.figures.length;
+  if (!page.section) return shown(name, script, data, alt, '<figure>', `${caption} `);
   const label = `<span class="label">Fig. ${number}</span> ${caption}`;
-  const figure = shown(name, script, data, alt, `<figure id="fig-${number}">`, label);
   book.drawn.add(name);
   write(
     `html/thumbnails/${name}.svg`,
     thumbnail(read(path.join(build, `drawn/${name}.svg`)), name, book.colours),
   );
-  return figure;
+  return shown(name, script, data, alt, `<figure id="fig-${number}">`, label);
 };
 
 /** A plot that race.mjs has drawn by a script that many share, its data under the plot's own name. */

@@ -119,6 +119,7 @@ function weave(spoil = () => {}) {
     [`${build}/drawn/pendulum-11.svg`]: drawing,
     [`${build}/programs.txt`]: 'pendulum-11\n',
     [`${build}/made-with.json`]: '{"compiler": "none"}',
+    [`${source}/book/matter/index.md`]: '# The book\n\nIt opens.\n',
     [`${source}/figures/style.gp`]: fs.readFileSync(path.join(root, 'figures/style.gp'), 'utf8'),
   };
   for (const c of chapters) files[`${source}/chapters/${c}/chapter.md`] = `# ${c}\n\nIt opens.\n`;
@@ -135,15 +136,23 @@ function weave(spoil = () => {}) {
       delete files[Object.keys(files).find((k) => k.endsWith(name))];
     },
   });
+  const link = (name) => {
+    fs.mkdirSync(path.dirname(path.join(source, name)), { recursive: true });
+    fs.symlinkSync(path.join(root, name), path.join(source, name));
+  };
   for (const [file, text] of Object.entries(files)) {
     fs.mkdirSync(path.dirname(file), { recursive: true });
     fs.writeFileSync(file, text);
   }
-  fs.symlinkSync(path.join(root, 'book'), path.join(source, 'book'));
+  for (const name of fs.readdirSync(path.join(root, 'book')).filter((f) => f !== 'matter'))
+    link(`book/${name}`);
+  for (const name of fs.readdirSync(path.join(root, 'book/matter')).filter((f) => f !== 'index.md'))
+    link(`book/matter/${name}`);
   const run = spawnSync(process.execPath, [path.join(root, 'book/weave.mjs'), source, build], {
     encoding: 'utf8',
   });
-  return { ...run, page: () => fs.readFileSync(path.join(build, 'dox/pendulum-11.dox'), 'utf8') };
+  const page = (name = 'pendulum-11') => fs.readFileSync(path.join(build, `dox/${name}.dox`), 'utf8');
+  return { ...run, page };
 }
 
 /** The line of the section's file on which a piece of it stands, once it is spoilt. */
@@ -288,6 +297,13 @@ test('refused: no figure and no reason for none; a reason is enough', () => {
     /^chapters\/pendulum\/s11\.cpp:1: no figure, and no reason for none/,
   );
   assert.equal(weave(without('::: no-figure\nNothing is drawn.\n:::')).status, 0);
+});
+test('a page that is no section may show a section its figure, without a number', () => {
+  const { status, page } = weave((files) =>
+    files.replace('index.md', 'It opens.', '::: figure pendulum-11\nalt: A line.\n\nIt stands in front.\n:::'),
+  );
+  assert.equal(status, 0);
+  assert.match(page('index'), /<figure>\n<svg [^]*<figcaption>It stands in front\./);
 });
 test('refused: a program without a page, a page without a program', () => {
   assert.match(
