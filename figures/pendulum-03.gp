@@ -18,7 +18,7 @@ set label "A" at -0.1, 0.07 right
 set label "G" at gx + 0.07, gy + 0.12 left
 set label "a" at gx / 2 + 0.1, gy / 2 left
 set label "k" at gx - k / 2, gy - 0.13 center textcolor linetype 1
-set label "the whole mass, spread here" at gx - 0.84 * k, gy - 0.75 * k right textcolor linetype 1
+set label "the whole mass, spread here" at gx - 1.05 * k, gy - 0.8 * k right textcolor linetype 1
 plot tsv("pendulum-03.body") every ::0::2 using (gx):(gy):(column("x") - gx):(column("y") - gy) with vectors nohead linetype 6, \
      "" every ::0::2 using "x":"y":(2.2 * column("size")) with points linetype 7 pointsize variable, \
      "" every ::3::3 using "x":"y" with points linetype 7 pointsize 0.7

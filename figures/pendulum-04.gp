@@ -5,7 +5,7 @@ set xtics 45 format "%g°"
 set ytics 0.5
 set xlabel "angle Φ"
 set ylabel "moment / Ma"
-set label "gravity, sin Φ" at 126, 0.98 left textcolor linetype 1
+set label "gravity, sin Φ" at 106, 1.17 left textcolor linetype 1
 set label "small swings, Φ" at 62, 1.3 right textcolor linetype 6
 set label "top" at 176, -0.16 right
 set label "top" at -176, 0.14 left

@@ -7,44 +7,42 @@
 
 SECTION(pendulum, 4, "The moment of gravity, and equal times up and down")
 
-using pendulum::body_of, pendulum::three_weights;
+using pendulum::three_weights, pendulum::turned;
 using swing::Amplitude;
 
 /*!
 ## What Euler does
 
-Gravity always pulls back towards the vertical, with a moment that goes as the sine of the angle, and so the
-way up and the way down take equal times. Take the pendulum in any position that it has while it swings. The
-line $AG = a$ makes with the vertical $AB$ an angle $BAG = \Phi$, a variable one: nothing in the vertical
-position, it grows by turns on both sides up to $\Phi = \zeta$, if ζ denotes the amplitude of the greatest
-excursion.
+The moment of gravity depends on the angle alone, and so the pendulum takes as long to move away from the
+vertical as to come back. In any position that it has while it swings, let the line $AG = a$ make with the
+vertical $AB$ the angle $BAG = \Phi$. This is a variable: from nothing in the vertical position it can grow,
+by turns on both sides, up to $\Phi = \zeta$, the amplitude of the greatest excursion.
 
-Gravity alone is supposed to drive the pendulum, and so it bears, applied at its centre of gravity $G$ and in
-the vertical direction $GH$, the force $M$. The moment of this force about the axis of gyration $A$ is
+The pendulum is supposed to be driven by gravity alone. Then it bears the force $M$, applied at its centre of
+gravity $G$ in the vertical direction $GH$. The moment of this force about the axis of gyration $A$ is
 
 $$ Ma\sin\Phi , \tag{1} $$
 
-and its action tends to diminish the angle $BAG = \Phi$.
+and it acts to diminish the angle $BAG = \Phi$.
 
 ::: margin
-Today: the torque $-mga\sin\theta$. Euler measures forces by weights; the factor that makes a weight an
-acceleration, $2g$, comes in {{sec pendulum.05}}.
+Today: the torque $-mga\sin\theta$. Euler measures forces by weights; the factor $2g$ that turns a weight into
+an acceleration comes in {{sec pendulum.05}}.
 :::
 
-From this he draws one conclusion at once. While the pendulum approaches the vertical $AB$ the force quickens
-its motion; while it recedes from there the same force, at the same angle, slows it by just as much. Hence
-approach and recession are completed in equal times. If $\overrightarrow{\Phi\zeta}$ is the time from the
-angle Φ up to the turning point, and $\overrightarrow{\zeta\Phi}$ that from there down again,
+Hence, when the pendulum approaches the vertical $AB$, this force accelerates it; when it recedes from there,
+the force retards it by just as much. From this he infers that approach and recession are completed in equal
+times: with $t_\uparrow$ for the time from the angle Φ up to the turning point and $t_\downarrow$ for the time
+from there back to Φ,
 
-$$ \overrightarrow{\Phi\zeta} = \overrightarrow{\zeta\Phi} \qquad\text{for every } \Phi . \tag{2} $$
+$$ t_\uparrow = t_\downarrow \qquad\text{for every } \Phi . \tag{2} $$
 
-That is why he may look for one of the two times only and, in {{sec pendulum.02}}, take it twice.
+That is why he need find only one of these times and may double it, as he does in {{sec pendulum.02}}.
 
 ## The program
 
-The moment is one product. Near the top, though, the sine is that of an angle whose rounding is larger than
-itself: no double comes nearer to 180° than some $10^{-16}$. The sine of an angle and of what it lacks to 180°
-are the same, so the smaller of the two is taken.
+The moment is one product. Near the top Φ cannot be given well enough: no double comes nearer to 180° than
+some $10^{-16}$. There the function is given what is missing to 180°, which has the same sine.
 */
 
 double moment(double M, double a, double phi)  // (1)
@@ -52,25 +50,20 @@ double moment(double M, double a, double phi)  // (1)
   return M * a * std::sin(phi);
 }
 
-double moment_at_rest(double M, double a, Amplitude amplitude)  // (1) at Φ = ζ
-{
-  return M * a * std::sin(std::min(amplitude.zeta, amplitude.eta));
-}
-
 /*!
-The two times of {{eq 2}} come from different formulae of the library, in the unit $\sqrt b/\sqrt{2g}$. The
-one adds up from the lowest point, by the integral of {{sec pendulum.07}}, and leaves the rest to a quarter of
-the motion. The other begins at rest, with the integral of {{sec pendulum.14}}.
+The two times come from different formulae of the library, in the unit $\sqrt b/\sqrt{2g}$. One takes a
+quarter of the motion, less the way from the lowest point to Φ by the integral of {{sec pendulum.07}}. The
+other begins at rest, with the integral of {{sec pendulum.14}}.
 */
 
-double from_phi_to_rest(double phi, Amplitude amplitude)  // (2), left side
+double from_phi_to_rest(double phi, Amplitude to)  // (2), left side
 {
-  return swing::quarter_time(amplitude) - swing::time_from_bottom(phi, amplitude);
+  return swing::quarter_time(to) - swing::time_from_bottom(phi, to);
 }
 
-double from_rest_to_phi(double phi, Amplitude amplitude)  // (2), right side
+double from_rest_to_phi(double phi, Amplitude to)  // (2), right side
 {
-  return swing::time_from_rest_past(amplitude.zeta - phi, amplitude.eta);
+  return swing::time_from_rest_past(to.zeta - phi, to.eta);
 }
 
 const auto swing_ = amplitude(100_deg, open(0_deg, 180_deg));
@@ -83,8 +76,9 @@ TELL
   const Amplitude zeta{swing_.zeta, swing_.eta};
   require(phi <= zeta.zeta, "phi", "at most zeta");
   tell("moment", moment(M, a, phi), Unit{"kg m"}, "moment of gravity at Φ, weight times arm");
-  tell("at_rest", moment_at_rest(M, a, zeta), Unit{"kg m"}, "the same at the turning point");
   tell("small_swings", M * a * phi, Unit{"kg m"}, "what the law of small swings has for it, MaΦ");
+  tell("at_rest", moment(M, a, std::min(zeta.zeta, zeta.eta)), Unit{"kg m"},
+       "the moment at the turning point");
   tell("up", from_phi_to_rest(phi, zeta), "from Φ up to rest at ζ, in the unit √b/√(2g)");
   tell("down", from_rest_to_phi(phi, zeta), "from there down to Φ");
 }
@@ -98,74 +92,61 @@ TELL
 }
 
 /*!
-At {{phi|deg0}} the law of small swings has {{small_swings|4}} for {{moment|4}}. What the picture shows is why
-wide swings last: beyond a right angle the farther the pendulum is out, the less it is pulled back.
+At {{phi|deg0}} the moment is {{moment|4}}; by the law of small swings it would be {{small_swings|4}}.
 
 ::: figure pendulum-04
 alt: The moment of gravity over Ma against the angle from −180 to 180 degrees: a sine. Through the origin its
 tangent, the law of small swings, which leaves it beyond 30 degrees.
 
-The moment of gravity, as a fraction of its greatest value $Ma$, and the law that the elements put in its
-place. Where the moment is greatest, at 90°, the pendulum is far from its turning point if it swings wide;
-near the top there is next to no moment to bring it back, and at the very top none.
+The moment of gravity, as a fraction of its greatest value $Ma$, and the law of small swings. Beyond 90° the
+moment falls again, and near the top almost nothing brings the pendulum back: that is why the widest swings
+last so long.
 :::
 
 ## Checks
 
-That the weights of all the elements do what one force $M$ at $G$ would do is tried with the three weights of
-{{sec pendulum.03}}. Each pulls with its own arm; the body is turned so that $AG$ makes the angle Φ, all the
-way round.
+The three weights of {{sec pendulum.03}} are turned until $AG$ makes the angle Φ. Each of them pulls with its
+own arm, its distance from the vertical through $A$.
 */
-
-/// What all the elements together pull about the axis when AG is turned to phi.
-double pull_of_all(const pendulum::Elements& elements, double phi)
-{
-  const Eigen::Vector2d G = body_of(elements).G;
-  const double turn = phi - std::atan2(G.x(), -G.y());
-  const auto how_far_right = std::cos(turn) * elements.row(1) - std::sin(turn) * elements.row(2);
-  return elements.row(0).dot(how_far_right);
-}
 
 CHECK_THAT("the weights of all elements pull like one force M at G, towards the vertical from both sides")
 {
-  const auto body = body_of(three_weights());
+  const auto body = pendulum::body_of(three_weights());
   for(int degrees = -180; degrees <= 180; degrees += 5)
-    CHECK(pull_of_all(three_weights(), degrees * 1_deg)
-          == within(moment(body.M, body.a(), degrees * 1_deg), 4e-15, "six products of at most 1.2"));
+  {
+    const auto elements = turned(three_weights(), degrees * 1_deg);
+    const double pull = elements.row(0).dot(elements.row(1));
+    CHECK(pull
+          == within(moment(body.M, body.a(), degrees * 1_deg), 4e-15, "three products up to 2, turned"));
+  }
 }
 
 /*!
-Equal times, three times over. The two formulae must agree. And the equation of motion, integrated in many
-digits from the lowest point upwards and from rest downwards, each for the time that it is said to take, must
-bring the pendulum to the same place Φ, with the same speed in opposite directions.
+For the equal times the equation of motion, $\Phi'' = -\sin\Phi$ in this unit of time, is integrated in many
+digits: from rest at ζ for the one time, then back from there, with the speed reversed, for the other.
 */
 
-CHECK_THAT("the way up takes as long as the way down, and passes with the same speed")
+CHECK_THAT("in the one time the pendulum comes down to Φ; thrown back, it is at rest again after the other")
 {
   const auto motion = [](const Fifty&, const exact::State& y) { return exact::State{y[1], -sin(y[0])}; };
   for(const double zeta : {1_deg, 30_deg, 100_deg, 170_deg})
     for(const double part : {0.25, 0.6, 0.99})
     {
-      const Amplitude amplitude = Amplitude::from_zeta(zeta);
-      const double there = part * zeta, K = swing::quarter_time(amplitude);
-      const double up = from_phi_to_rest(there, amplitude), down = from_rest_to_phi(there, amplitude);
-      CHECK(up == within(down, 4e-16 * K + 2.3e-16 / zeta, "K rounded, and η = 180° − ζ as a part of ζ"));
-
-      const Fifty speed_at_bottom = 2 * sin(Fifty(zeta) / 2);  // §6
-      const Fifty rise = Fifty(K) - Fifty(down), small("1e-20");
-      const auto rising = exact::solve(motion, 0, {Fifty(0), speed_at_bottom}, rise, small).y;
-      const auto falling = exact::solve(motion, 0, {Fifty(zeta), Fifty(0)}, Fifty(down), small).y;
-      CHECK(rising[0] == within(falling[0], 2e-15, "K and the time, each rounded, at a speed of at most 2"));
-      CHECK(rising[1] == within(-falling[1], 1e-15, "the same, with at most 1 for the change of speed"));
-      CHECK(falling[0] == within(Fifty(there), 1e-15, "the time is good to an ulp or two"));
+      const Amplitude to = Amplitude::from_zeta(zeta);
+      const Fifty start(zeta), small("1e-20"), down(from_rest_to_phi(part * zeta, to));
+      const auto there = exact::solve(motion, 0, {start, 0}, down, small).y;
+      CHECK(there[0] == within(part * zeta, 1e-15, "a time of at most 4, to an ulp"));
+      const Fifty up(from_phi_to_rest(part * zeta, to));
+      const auto back = exact::solve(motion, 0, {there[0], -there[1]}, up, small).y;
+      CHECK(back[0] == within(start, 1e-15, "at rest the angle hardly depends on the time"));
+      CHECK(back[1] == within(0, 1e-15, "two times of at most 4, to an ulp"));
     }
 }
 
-CHECK_THAT("the moment keeps its digits within a hair of the top")
+CHECK_THAT("near the top the angle from the top gives the moment; Φ as a double does not")
 {
   const Amplitude hair = Amplitude::from_eta(1e-20);
-  CHECK(moment_at_rest(1, 1, hair) == within_ulps(sin(Fifty(1e-20)), 1, "one sine"));
-  CHECK(moment(1, 1, hair.zeta) == within_ulps(1.2246467991473532e-16, 1, "what π lacks as a double"));
-  CHECK(moment_at_rest(1, 1, Amplitude::from_eta(1e-300)) == 1e-300);
-  CHECK(moment_at_rest(2, 3, Amplitude::from_zeta(90_deg)) == 6);
+  CHECK(moment(2, 3, hair.eta) == within_ulps(6e-20, 2, "a sine and a product"));
+  CHECK(moment(2, 3, hair.zeta)
+        == within_relative(6 * 1.2246467991473532e-16, 1e-15, "what a double lacks to π"));
 }

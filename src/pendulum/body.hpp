@@ -48,7 +48,18 @@ inline double moment_of_inertia(const Elements& elements, const Eigen::Vector2d&
 }
 // [sum_of_squares]
 
-/// Three weights on one body, the example of §§3 and 4: with its centre of gravity neither in an
+/// The body turned about A until AG makes the angle phi with the vertical, to the right of it. Domain: G
+/// not at A.
+inline Elements turned(Elements elements, double phi)
+{
+  const Eigen::Vector2d G = body_of(elements).G;
+  const double by = phi - std::atan2(G.x(), -G.y());
+  const Eigen::Matrix2d turn{{std::cos(by), -std::sin(by)}, {std::sin(by), std::cos(by)}};
+  elements.bottomRows<2>() = (turn * elements.bottomRows<2>()).eval();
+  return elements;
+}
+
+/// Three weights on one body, the example of §§3 to 5: with its centre of gravity neither in an
 /// element nor below A.
 inline Elements three_weights()
 {

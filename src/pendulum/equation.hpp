@@ -11,7 +11,8 @@ namespace pendulum
 // [equivalent_length]
 /// b = a + kk/a, the length of the simple pendulum that swings as the compound one does (§6): a =
 /// AG, and k the radius of gyration about G. Domain: a > 0, k ≥ 0, in the same unit as the result.
-/// Real: double (to 2 ulp, and no overflow or underflow that b itself has not) or exact::Fifty.
+/// Real: double (to 2 ulp, and no overflow or underflow that b itself has not), exact::Fifty or
+/// exact::Rational.
 template <class Real>
 Real equivalent_length(Real a, Real k)
 {
