@@ -8,8 +8,6 @@ set xlabel "η (radians)"
 set ylabel "part missing"
 set label "5°" at 5e-3, 16.4 left textcolor linetype 2
 set label "1°" at 1.4e-3, 12.2 left textcolor linetype 2
-set label "1 %" at 6e-30, 2.6 center textcolor linetype 2
-set label "ln 2 : ln(8/η)" at 3e-1, 33 left offset 1, 0 textcolor linetype 6
+set label "1 %" at 6e-30, 3.2 center textcolor linetype 2
 plot tsv("pendulum-16.part") using "eta":(100 * column("part")) with lines linetype 2, \
-     "" using "eta":(100 * column("law")) with lines linetype 6 dashtype (4, 4), \
      tsv("pendulum-16.examples") using "eta":(100 * column("part")) with points linetype 2 pointtype 7 pointsize 0.8
