@@ -122,7 +122,7 @@ TELL
 }
 
 /*!
-From {{eta}} off the top the two terms give {{both|7}}, of which {{second|4}} are new; {{short_by|4}} are
+From a start at {{eta}} the two terms give {{both|7}}, of which {{second|4}} are new; {{short_by|4}} are
 still missing.
 
 ::: figure pendulum-17
