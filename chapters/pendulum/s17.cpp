@@ -11,13 +11,15 @@ The second term of the series is integrated, and adds a quarter to the first. To
 the first amount to, he halves the angles once and for all: let $\tfrac12\psi = \omega$ and $\tfrac12\eta =
 \alpha$. The series of {{sec pendulum.15}} becomes
 
-$$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega} + \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
+$$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega}
+   + \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
    + \frac{1\cdot3}{2\cdot4}\cdot\frac{\sin^4\alpha}{\sin^5\omega} + \text{etc.}\right), \tag{1} $$
 
 and its first term gives $l\,\dfrac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}$. For
 the second he needs the integral of $d\omega/\sin^3\omega$. He guesses its form and leaves two numbers open,
 
-$$ \int\frac{d\omega}{\sin^3\omega} = \frac{A\cos\omega}{\sin^2\omega} + B\int\frac{d\omega}{\sin\omega}. \tag{2} $$
+$$ \int\frac{d\omega}{\sin^3\omega} = \frac{A\cos\omega}{\sin^2\omega}
+   + B\int\frac{d\omega}{\sin\omega}. \tag{2} $$
 
 Differentiated, and with $\cos^2\omega = 1 - \sin^2\omega$, this says
 
@@ -34,7 +36,8 @@ the descent begins, at $\omega = \alpha$, and so $C = \frac{\cos\alpha}{2\sin^2\
 Today: the reduction formula for $\int\csc^3\omega\,d\omega$.
 :::
 
-$$ \int_\alpha\frac{d\omega}{\sin^3\omega} = \frac{\cos\alpha}{2\sin^2\alpha} - \frac{\cos\omega}{2\sin^2\omega}
+$$ \int_\alpha\frac{d\omega}{\sin^3\omega} = \frac{\cos\alpha}{2\sin^2\alpha}
+   - \frac{\cos\omega}{2\sin^2\omega}
    + \frac12\,l\,\frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}. \tag{4} $$
 
 The first two terms together give
@@ -45,7 +48,8 @@ $$ \frac{t\sqrt{2g}}{\sqrt b} = \left(1 + \tfrac14\sin^2\alpha\right)
 
 and for the whole descent, $\omega = 90°$,
 
-$$ \frac{t\sqrt{2g}}{\sqrt b} = \left(1 + \tfrac14\sin^2\alpha\right) l\cot\tfrac12\alpha + \tfrac14\cos\alpha. \tag{6} $$
+$$ \frac{t\sqrt{2g}}{\sqrt b} = \left(1 + \tfrac14\sin^2\alpha\right) l\cot\tfrac12\alpha
+   + \tfrac14\cos\alpha. \tag{6} $$
 
 So the second term has added $\tfrac14\cos\alpha$, which is very nearly ¼: a quantity that is quite notable.
 All the more must the terms that follow be pursued.
