@@ -27,10 +27,10 @@ Expectation around(const Fifty& y, const Fifty& radius, std::string tolerance, c
 
 }  // namespace
 
-Expectation::Expectation(Fifty expected, Fifty lowest, Fifty highest, std::string tolerance,
-                         std::string because)
-    : expected_(std::move(expected)), lowest_(std::move(lowest)), highest_(std::move(highest)),
-      tolerance_(std::move(tolerance)), because_(std::move(because))
+Expectation::Expectation(const Fifty& expected, const Fifty& lowest, const Fifty& highest,
+                         std::string tolerance, std::string because)
+    : expected_(expected), lowest_(lowest), highest_(highest), tolerance_(std::move(tolerance)),
+      because_(std::move(because))
 {
 }
 

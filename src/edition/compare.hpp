@@ -22,7 +22,8 @@ class Expectation
 {
 public:
   /// An interval around `expected`, closed; `tolerance` is how the reader is told of its width.
-  Expectation(Fifty expected, Fifty lowest, Fifty highest, std::string tolerance, std::string because);
+  Expectation(const Fifty& expected, const Fifty& lowest, const Fifty& highest, std::string tolerance,
+              std::string because);
 
   /// True when `got` is a number and lies in the interval. Remembers the comparison for the ledger of
   /// claims.

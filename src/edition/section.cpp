@@ -346,7 +346,7 @@ void Curve::block()
   text_ += fmt::format("\n\n{}\n", fmt::join(columns_, "\t"));
 }
 
-void curve(const char* name, std::vector<std::string> columns, std::function<void(Curve&)> draw)
+void curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw)
 {
   refuse_second(name);
   Curve under_way(columns);
@@ -355,7 +355,7 @@ void curve(const char* name, std::vector<std::string> columns, std::function<voi
   section().curves.push_back({name, std::move(columns), under_way.text()});
 }
 
-void race(const char* name, const char* quantity, const Fifty& exact, std::vector<Method> methods)
+void race(const char* name, const char* quantity, const Fifty& exact, const std::vector<Method>& methods)
 {
   ToldRace told_race{name, quantity, exact.str(30), {}};
   std::vector<::race::Entrant> entrants;

@@ -217,7 +217,7 @@ private:
 };
 
 /// Declares data for a figure; `draw` is called, at once, only when data are asked for.
-void curve(const char* name, std::vector<std::string> columns, std::function<void(Curve&)> draw);
+void curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw);
 
 /// One way to a number. Methods of one `family` (a series with more and more terms, say) are joined by
 /// a line in the plot.
@@ -230,7 +230,7 @@ struct Method
 
 /// Sets several ways to one number side by side: the error of each in ulps of the 50-digit value
 /// `exact`, and with `--bench` its time. `exact` must be finite and not zero.
-void race(const char* name, const char* quantity, const Fifty& exact, std::vector<Method> methods);
+void race(const char* name, const char* quantity, const Fifty& exact, const std::vector<Method>& methods);
 
 /// What stands in a text at some place, and the number that comes of it when it is taken at its word.
 struct Reading
@@ -326,7 +326,7 @@ struct Telling
 #define EDITION_TELL_COUNTED(count) EDITION_TELL_NAMED(edition_tell_##count, edition_telling_##count)
 #define EDITION_TELL_NAMED(body, registration)                                                             \
   static void body();                                                                                      \
-  static const edition::Telling registration{&body};                                                       \
+  static const edition::Telling registration{&(body)};                                                       \
   static void body()
 /// @endcond
 
