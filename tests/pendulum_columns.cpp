@@ -1,9 +1,13 @@
-/// @file The pendulum's array away from the places where its sections look: D, V, W everywhere, entries, bad indices.
+/// @file The pendulum's array away from the places where its sections look: D, V, W everywhere, entries, the sums of
+/// all columns, bad indices.
 #include "edition/compare.hpp"
+#include "exact/series.hpp"
 #include "pendulum/columns.hpp"
 
+#include <numbers>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 using namespace edition;
 using namespace pendulum;
@@ -74,4 +78,47 @@ TEST_CASE("no columns, no rows, no terms: nothing but what is left")
   CHECK(sum_with_one_logarithm(0.5, 0) == 0);
   const Fifty first = log_cot_half(Fifty(0.5)) * series(pow(sin(Fifty(0.5)), 2), 120);
   CHECK(sum_by_columns(0.5, 0) == within_ulps(first, 3, "sin²α is 0.23, and 120 terms leave nothing"));
+}
+
+// K with one logarithm less L·P, divided by cos α and with all that is no multiple of ln 2 set apart, leaves
+// (1−x)^−½ Σ a_n² xⁿ (ln 2 − r_n − ln ½(1+√(1−x))).
+TEST_CASE("the recurrence of the column sums gives the coefficients of their generating function, exactly")
+{
+  using Formal = exact::Series<exact::Rational>;
+  const int order = 39;
+  std::vector<exact::Rational> squares;
+  std::vector<exact::Rational> with_r;
+  exact::Rational r = 0;
+  for(int n = 0; n <= order; ++n)
+  {
+    squares.push_back(pow(exact::double_factorial_ratio(n), 2));
+    with_r.push_back(squares.back() * r);
+    r += exact::Rational(2, (2 * n + 1) * (2 * n + 2));
+  }
+  const Formal root = sqrt(1 - Formal::x(order));
+  const Formal P(squares, order);
+  const Formal beta = P / root;
+  const Formal rho = (Formal(with_r, order) + P * log((1 + root) / 2)) / root;
+  const auto S = exact_column_sums(order + 1);
+  const auto rounded = column_sums<Fifty>(order + 1);
+  for(int j = 0; j <= order; ++j)
+  {
+    const auto i = static_cast<std::size_t>(j);
+    CHECK(S[i].beta == beta[j]);
+    CHECK(S[i].rho == rho[j]);
+    CHECK(rounded[i] == within_relative(S[i].value(), 1e-47, "forty steps, and what β ln 2 − ρ cancels"));
+  }
+}
+
+TEST_CASE("in double the recurrence errs in proportion to j, and the sums follow their law")
+{
+  const auto S = column_sums<double>(1001);
+  const auto truth = column_sums<Fifty>(1001);
+  for(const std::size_t j : {2u, 10u, 100u, 1000u})
+  {
+    CHECK(S[j] == within_relative(truth[j], 1e-15 * static_cast<double>(j), "documented"));
+    CHECK(S[j] < S[j - 1]);
+  }
+  const double law = std::sqrt(std::numbers::pi / 1000) / 2 - 1 / (1000 * std::numbers::pi);
+  CHECK(S[1000] == within_relative(law, 2e-3, "½√(π/j) − 1/(πj), and what is a jth of the first"));
 }
