@@ -1,62 +1,114 @@
 #include "edition/section.hpp"
+#include "pendulum/columns.hpp"
 #include "pendulum/three_members.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 29, "The solution, and the factor that was forgotten")
 
-using pendulum::Members, pendulum::ratio_by_mean, pendulum::three_members;
+using pendulum::ratio_by_mean, pendulum::three_members;
 
 /*!
 ## What Euler does
 
-The problem is set at the end of {{sec pendulum.28}}: a pendulum swings through arcs that fall little short
-of 180° to either side; how long does one swing take? Everything is ready. Let $\Theta$ be the time of a
-swing of the same pendulum through infinitely small arcs, let the descent begin at the point $g$, whose
-distance from the upper vertical is the angle $bAg = \eta$, and put $\alpha = \tfrac12\eta$. First the value
-of the series
+The time of a swing that nearly reaches the top is put together from three members, and a factor $2/\pi$ is
+forgotten. The problem was set in {{sec pendulum.28}}. Let $\Theta$ be the time in which the same pendulum
+swings through infinitely small arcs, $g$ the point where the descent begins, $\eta = bAg$ its angle from the
+upper vertical, and $\alpha = \tfrac12\eta$. First the value of the series
 
 $$ P = 1 + \frac{1^2}{2^2}\sin^2\alpha + \frac{1^2\cdot3^2}{2^2\cdot4^2}\sin^4\alpha
    + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}\sin^6\alpha + \text{etc.} \tag{1} $$
 
-is wanted; $\alpha$ being small, three or four of its terms will mostly do. Then the array of
-{{sec pendulum.21}}, summed by its first three columns, gives what he announces as the time of one whole
-swing,
+is sought. As α is small it converges fast, and three or four terms will mostly do. Then the time $T$ of one
+swing will be
 
-$$ T = \Theta\left( l\cot\tfrac12\alpha \cdot P + \cos\alpha\; l2 + \tfrac34\cos\alpha\,\sin^2\alpha\; l2 \right),
-   \qquad \Theta = \frac{\pi\sqrt b}{\sqrt{2g}}, \tag{2} $$
-
-and half of it as the time of an ascent or a descent.
+$$ \begin{aligned} T = \Theta\Big( & l\cot\tfrac12\alpha \left(1 + \tfrac14\sin^2\alpha
+   + \tfrac{1\cdot9}{4\cdot16}\sin^4\alpha + \tfrac{1\cdot9\cdot25}{4\cdot16\cdot36}\sin^6\alpha\right) \\
+   & {} + \cos\alpha\; l2 + \tfrac34\cos\alpha\,\sin^2\alpha\; l2 \Big), \end{aligned} \tag{2} $$
 
 ::: margin
-Today: the bracket is $K(\cos\alpha)$, and (1) is $\frac2\pi K(\sin\alpha)$. The large swing carries within
-it the small swing of the complementary amplitude.
+Today: the bracket is $K(\cos\alpha)$, but for terms of the order $\sin^4\alpha$, and {{eq 1}} is
+$\frac2\pi K(\sin\alpha)$. The large swing has in it the small swing of the complementary amplitude.
 :::
 
-Here he has slipped. What the array sums to, from {{sec pendulum.16}} on, is $t\sqrt{2g}/\sqrt b$, where $t$
-is the time of *half* a swing. With $T = 2t$ and with his own $\Theta$ that makes
+where, as he reminds the reader,
 
-$$ T = \frac{2}{\pi}\,\Theta\left( l\cot\tfrac12\alpha \cdot P + \cos\alpha\; l2 + \tfrac34\cos\alpha\,\sin^2\alpha\; l2 \right). \tag{3} $$
+$$ \Theta = \frac{\pi\sqrt b}{\sqrt{2g}}. \tag{3} $$
 
-The factor $2/\pi$ is missing in {{eq 2}} and, since both examples use it as it stands, in every result that
-follows.
+And half of $T$ is the time of each ascent or descent.
+
+### The forgotten factor
+
+The bracket, say $B$, is the array of {{sec pendulum.21}} with three columns summed. But the array is not
+$T/\Theta$. It is $t\sqrt{2g}/\sqrt b$, where $t$ is the time of the descent, which is half a swing. So
+
+$$ t = \frac{\sqrt b}{\sqrt{2g}}\,B = \frac{\Theta}{\pi}\,B, \qquad T = 2t = \frac2\pi\,\Theta B. \tag{4} $$
+
+What {{eq 2}} gives is too long by the factor $\frac\pi2$. The scan is not to blame: the results in
+{{sec pendulum.33}}, $4{,}52023\,\Theta$ and four seconds and a half, are computed by {{eq 2}} as it stands.
+Three proofs, none of which needs the others:
+
+1. *His own definitions.* Half a swing is a descent: he says so here. By {{sec pendulum.14}} the descent takes
+   $\int d\omega/\sqrt{\sin^2\omega - \sin^2\alpha}$, from $\omega = \alpha$ to 90°, in the unit
+   $\sqrt b/\sqrt{2g}$, and by {{eq 3}} this unit is $\Theta/\pi$. One case needs no reckoning. As η grows to
+   180° the swing becomes infinitely small, and $T$ must become $\Theta$. But the integral becomes
+   $\int_0^1 dy/\sqrt{1-yy} = \frac\pi2$, and {{eq 2}}, with all its columns, would give $\frac\pi2\Theta$.
+2. *His own series.* By {{sec pendulum.09}} $T = \Theta\left(1 + \frac{1^2}{2^2}cc + \text{etc.}\right)$ for
+   every arc, here with $c = \cos\alpha$; and {{sec pendulum.37}} sends the reader back to it, as a number to be
+   multiplied by $\Theta$, where {{eq 2}} begins to fail. Near the top it is slow, but with patience it can be
+   summed.
+3. *The motion itself.* Let a pendulum go from rest, once from near the top and once from a hundredth of a
+   degree, and time both descents step by step. Their ratio is $T/\Theta$, and no formula for either time has
+   been used.
 
 ## The program
 
-The three members are kept apart, because the examples want them one by one. The first is taken as minus the
-logarithm of a tangent, which neither overflows nor cancels, however small the angle.
+The examples want the three members one by one. The logarithm of the cotangent is taken as minus that of the
+tangent, which neither overflows nor cancels, however small the angle.
 
 ::: code pendulum/three_members.hpp three_members
 :::
+
+Each proof is a program that finds $T/\Theta$. In the integral, $\cos\omega = \cos\alpha\sin\theta$ makes
+everything finite.
 */
 
-double as_printed(const Members<double>& m)  // (2), in units Θ
+double by_his_definitions(double alpha)  // 2t/Θ, by (3) and §14, over equal steps of θ
 {
-  return m.sum();
+  constexpr int steps = 20'000;
+  constexpr double step = std::numbers::pi / 2 / steps;
+  double t = 0;
+  for(double theta = step / 2; theta < std::numbers::pi / 2; theta += step)
+    t += step / std::hypot(std::cos(theta), std::sin(alpha) * std::sin(theta));
+  return 2 * t / std::numbers::pi;
 }
 
-double as_it_should_be(const Members<double>& m)  // (3), in units Θ
+double by_his_series(double alpha)  // §9, until the power of cc is e⁻³⁶
 {
-  return 2 / std::numbers::pi * m.sum();
+  const int terms = static_cast<int>(36 / std::pow(std::sin(alpha), 2)) + 1;
+  return pendulum::series(std::pow(std::cos(alpha), 2), terms);
+}
+
+/*!
+The motion is followed by Störmer's rule, place and speed in turn.
+*/
+
+double timed(double zeta)  // a descent from rest at ζ, by steps of Φ'' = −sin Φ
+{
+  constexpr double h = 2e-4;
+  double Phi = zeta;
+  double speed = h / 2 * std::sin(zeta);  // half a step on
+  int n = 0;
+  for(; Phi > 0; ++n)
+  {
+    Phi -= h * speed;
+    speed += h * std::sin(Phi);
+  }
+  return h * n + Phi / speed;  // Phi is now a little below nothing
+}
+
+double by_the_motion(double alpha)
+{
+  return timed(std::numbers::pi - 2 * alpha) / timed(0.01_deg);
 }
 
 /*!
@@ -69,170 +121,157 @@ const auto terms = integer("terms", 4, 1, 1000, "terms of the series P that are 
 
 TELL
 {
-  const auto m = three_members(swing_.eta / 2, terms);
-  const double exact = swing::ratio({swing_.zeta, swing_.eta});
-  tell("P", m.factor, "the sum of the series (1)");
+  const double alpha = swing_.eta / 2;
+  const auto m = three_members(alpha, terms);
   tell("first", m.first, "first member, l cot ½α · P");
   tell("second", m.second, "second member, cos α l 2");
   tell("third", m.third, "third member, ¾ cos α sin²α l 2");
-  tell("bracket", m.sum(), "their sum");
-  tell("T_printed", Theta * as_printed(m), seconds, "the swing by (2), as it is printed");
-  tell("T_mended", Theta * as_it_should_be(m), seconds, "the swing by (3)");
-  tell("T", Theta * exact, seconds, "the swing, exactly");
-  tell("too_long", as_printed(m) / exact, "how many times too long (2) is");
+  tell("T_printed", Theta * m.sum(), seconds, "the swing by (2), as it is printed");      // (2)
+  tell("T_mended", Theta * 2 / std::numbers::pi * m.sum(), seconds, "the swing by (4)");  // (4)
+  tell("T", Theta * swing::ratio({swing_.zeta, swing_.eta}), seconds, "the swing, exactly");
 }
 
 /*!
-How far the two laws lie from the truth when the angle is not so small, and how the error shrinks with every
-further column:
+What each proof finds, and by which factor $B$ would have to be multiplied to give it:
 */
 
 TELL
 {
-  curve("laws", {"eta", "printed", "mended", "exact"}, [](Curve& c) {
-    for(double eta = 0.05; eta <= 90; eta += eta < 2 ? 0.05 : 0.5)
+  const double alpha = swing_.eta / 2;
+  if(alpha < 0.05_deg || alpha > 15_deg)
+    return;  // below, his series would take for ever; above, B lacks too much
+  const double B = three_members(alpha, 40).sum();
+  auto& proofs = table("proofs", "The three proofs, and the factor that each demands.",
+                       {{"by", "by"}, {"ratio", "T/Θ", none, 8}, {"factor", "factor", none, 6}});
+  const auto found = [&](const char* by, double ratio) { proofs.row({by, ratio, ratio / B}); };
+  found("his definitions", by_his_definitions(alpha));
+  found("his series", by_his_series(alpha));
+  found("the motion", by_the_motion(alpha));
+  found("(2), as printed", B);
+}
+
+TELL
+{
+  curve("laws", {"eta", "printed", "mended"}, [](Curve& c) {
+    for(double eta = 0.2; eta <= 90; eta *= 1.03)
     {
-      const auto m = three_members(eta * 0.5_deg, 200);
-      c.put({eta, as_printed(m), as_it_should_be(m), swing::ratio_from_top(eta * 1_deg)});
+      const double B = three_members(eta * 0.5_deg, 200).sum();
+      c.put({eta, B, 2 / std::numbers::pi * B});
     }
   });
+  curve("found", {"eta", "definitions", "series", "motion"}, [](Curve& c) {
+    for(double eta = 0.7; eta < 90; eta *= 1.95)
+      c.put({eta, by_his_definitions(eta * 0.5_deg), by_his_series(eta * 0.5_deg),
+             by_the_motion(eta * 0.5_deg)});
+  });
   const double alpha = swing_.eta / 2;
-  const auto members = [=](int kept) {
-    const auto m = three_members(alpha, 40);
-    return 2 / std::numbers::pi * (m.first + (kept > 1 ? m.second : 0) + (kept > 2 ? m.third : 0));
-  };
   race("ratio", "T/Θ", ratio_by_mean(Fifty(2 * alpha)),
-       {{"first member", [=] { return members(1); }, "members"},
-        {"two members", [=] { return members(2); }, "members"},
-        {"three members", [=] { return members(3); }, "members"},
+       {{"three members", [=] { return 2 / std::numbers::pi * three_members(alpha, 40).sum(); }},
         {"series in cc, 1000 terms", [=] { return pendulum::series(std::pow(std::cos(alpha), 2), 1000); }},
         {"arithmetic-geometric mean", [=] { return ratio_by_mean(2 * alpha); }},
         {"this edition", [=] { return swing::ratio_from_top(2 * alpha); }}});
 }
 
 /*!
-For a descent from {{eta|3}}° below the top the three members are {{first|7}}, {{second|6}} and {{third|3}}.
-Printed as {{T_printed|6}} s for a seconds pendulum, the swing takes {{T_mended|6}} s.
+{{table proofs}}
+
+All three ask for $2/\pi$ = 0,63662. A seconds pendulum let go {{eta}}° from the top takes {{T_mended|6}} s for
+its swing, and not the {{T_printed|6}} s of {{eq 2}}.
 
 ::: figure pendulum-29
-alt: T over Theta against eta from 0 to 90 degrees. The exact curve and the mended formula lie on each other
-up to about 40 degrees; the printed formula runs far above both, everywhere higher by more than a half.
+alt: T over Theta against eta from 0.2 to 90 degrees on a logarithmic scale, two falling lines. The printed law
+runs far above the mended one, everywhere higher by more than a half. The points of all three proofs lie on the
+mended line; only beyond 40 degrees does it begin to fall a little short of them.
 
-The printed law {{eq 2}}, the mended one {{eq 3}} and the truth. The printed law is not off by a small
-correction but by $\pi/2$ throughout; the mended one leaves the truth only when the columns that Euler
-dropped begin to matter.
+The printed law {{eq 2}}, the mended one {{eq 4}}, and the truth, as the three proofs find it, each at angles of
+its own. The printed law is not off by a small correction but by $\pi/2$ throughout. The mended one falls short
+only where the columns that Euler dropped begin to matter.
 :::
 
 ## Checks
 
-First that the members are what he says: they miss the exact sum by the fourth and later columns of the
-array, which {{sec pendulum.28}} bounds from both sides.
+First the bracket. It misses the exact $t\sqrt{2g}/\sqrt b$ by the fourth and later columns, which
+{{sec pendulum.28}} bounds from both sides.
 */
 
-CHECK_THAT(
-    "the three members fall short of K(cos α) by what the fourth and later columns hold, and no more")
+CHECK_THAT("the three members fall short of K(cos α) by what the later columns hold, and no more")
 {
-  const double S2 = 0.436234912546214963845414327809;  // the fourth column's sum, pendulum.28
+  const auto S = pendulum::column_sums<Fifty>(4);
   for(const double eta : {1_deg, 5_deg, 10_deg, 20_deg, 60_deg})
   {
     const Fifty alpha = Fifty(eta) / 2;
     const Fifty x = pow(sin(alpha), 2);
     const Fifty missing = ratio_by_mean(2 * alpha) * exact::pi() / 2 - three_members(alpha, 200).sum();
-    CHECK(missing / (x * x)
-          == between(S2 * cos(alpha) / (1 - 0.881 * x), S2 / cos(alpha), "the columns' sums fall"));
+    const Fifty least = S[2] * cos(alpha) / (1 - x * S[3] / S[2]);
+    CHECK(missing / (x * x) == between(least, S[2] / cos(alpha), "the bounds (5) of §28"));
   }
 }
 
 CHECK_THAT("nothing is lost however near the top the descent begins")
 {
-  for(const double eta : {1e-3, 1e-8, 1e-16, 1e-150, 1e-300})
+  for(const double eta : {1e-8, 1e-16, 1e-150, 1e-300})
   {
     const Fifty exact = ratio_by_mean(Fifty(eta)) * exact::pi() / 2;
-    const double left_out = 0.04 * std::pow(eta, 4);  // more than the fourth column
-    CHECK(three_members(eta / 2, 4).sum()
-          == within(exact, 4 * 1.2e-16 * static_cast<double>(exact) + left_out,
-                    "three roundings of the logarithm, and the columns left out"));
+    CHECK(three_members(eta / 2, 4).sum() == within_ulps(exact, 3, "tangent, logarithm, two sums"));
   }
 }
 
 /*!
-Then the factor. Euler contradicts himself in three places, and each of them settles it: the time of the
-descent by {{sec pendulum.16}} and {{sec pendulum.21}}, doubled; the series of {{sec pendulum.09}}, which
-converges here too, if slowly; and the motion itself.
+Then the factor: each proof for itself demands $2/\pi$, at the angles of both examples.
 */
 
-double descent_by_steps(double eta,
-                        int steps)  // from rest at η to the lowest point, ψ'' = sin ψ, by Störmer's rule
+CHECK_THAT("each of the three proofs demands the factor 2/π")
 {
-  const double h = 2 * swing::quarter_time_from_top(eta) / steps;
-  double psi = eta;
-  double half_step = h / 2 * std::sin(psi);  // the velocity, half a step on
-  double before = psi;
-  int n = 0;
-  for(; psi < std::numbers::pi; ++n)
+  for(const double alpha : {2.5_deg, 0.5_deg})
   {
-    before = psi;
-    psi += h * half_step;
-    half_step += h * std::sin(psi);
+    const double B = three_members(alpha, 6).sum();
+    const double least = 2 / std::numbers::pi;
+    const double most = least * (1 + 0.45 * std::pow(std::sin(alpha), 4) / B);
+    CHECK(by_his_definitions(alpha) / B == between(least, most, "B lacks the fourth column"));
+    CHECK(by_his_series(alpha) / B == between(least, most, "B lacks the fourth column"));
+    CHECK(by_the_motion(alpha) / B
+          == between(least - 1e-8, most + 1e-8, "the same; the steps err by hh/4"));
   }
-  return h * (n - (psi - std::numbers::pi) / (psi - before));
+}
+
+CHECK_THAT("when the swing becomes infinitely small, T becomes Θ, and t not 1 but ½π")
+{
+  CHECK(by_his_definitions(90_deg - 1e-6) == within(1, 2e-12, "the next term, a sixteenth of (2·10⁻⁶)²"));
 }
 
 const Erratum forgotten_factor{
     "§29, the law for T",
     {"T = Θ[…]", 1.0},
     {"T = (2/π) Θ[…]", 2 / std::numbers::pi},
-    "his bracket is t√(2g)/√b, and T = 2t, Θ = π√b/√(2g)",
+    "his bracket is t√(2g)/√b, and T = 2t, Θ = π√b/√(2g); his own series and the motion say the same",
     [](double factor) {
-      const double claimed = factor * three_members(2.5_deg, 6).sum();
-      const double by_his_series = pendulum::series(std::pow(std::cos(2.5_deg), 2), 20'000);
-      const double by_the_motion = 2 / std::numbers::pi * descent_by_steps(5_deg, 20'000);
-      return claimed
-                 == within(by_his_series, 2e-6, "the fourth column, 1.0e-6; the terms after 20000, 1e-19")
-             && claimed == within(by_the_motion, 2e-6, "the fourth column; the steps err by 1e-7")
-             && claimed == within(ratio_by_mean(Fifty(5_deg)), 2e-6, "the fourth column");
+      const double T = factor * three_members(2.5_deg, 6).sum();
+      return T == within(by_his_definitions(2.5_deg), 1.1e-6, "2/π of the fourth column, 1.6e-6")
+             && T == within(by_his_series(2.5_deg), 1.1e-6, "the fourth column")
+             && T == within(by_the_motion(2.5_deg), 1.1e-6, "the fourth column");
     }};
 
 /*!
-The rest is the scan's. In {{eq 1}} it prints ½ for the square of ½; in {{eq 2}} it takes the letter $l$ for
-a stroke of division, a 1 for a 3, and has lost the sine of the third member.
+The rest is the scan's. In {{eq 1}} it has ½ for the square of ½. In {{eq 2}} it has a 3 for a 1, takes the
+letter $l$ three times for a stroke of division, closes the inner bracket only at the end, and has lost the
+sine of the third member. Where $\Theta$ is introduced it has the letter $T$ for "if", and $Ag$ for $bAg$.
 */
 
-bool is_coefficient(double reading, int n)  // of sin²ⁿα in (1), as an exact fraction
-{
-  return Rational::exactly(reading) == pow(exact::double_factorial_ratio(n), 2);
-}
+const double x = std::pow(std::sin(2.5_deg), 2);
+const double cosine = std::cos(2.5_deg);
+const auto m = three_members(2.5_deg, 6);
 
-const Emendation first_coefficient{"§29, the series, second term",
-                                   {"½ sin²α", 0.5},
-                                   {"(1²/2²) sin²α", 0.25},
-                                   "§§10, 11 and 37 have the squares",
-                                   [](double a) { return is_coefficient(a, 1); }};
+const Emendation coefficients{
+    "§29, (1) and (2), the series",
+    {"½ sin²α, 3·9/(4·16) sin⁴α", 1 + x / 2 + 27 * x* x / 64},
+    {"(1²/2²) sin²α, 1·9/(4·16) sin⁴α", 1 + x / 4 + 9 * x* x / 64},
+    "it is the series of §9 with another sine, whose sum is known",
+    [](double P) { return P == within(ratio_by_mean(175_deg), 0.8e-9, "the next term, 25/256 sin⁶α"); }};
 
-const Emendation third_coefficient{"§29, (2), third term of the series",
-                                   {"3·9/(4·16)", 27.0 / 64},
-                                   {"1·9/(4·16)", 9.0 / 64},
-                                   "the series just before has 1²·3²",
-                                   [](double a) { return is_coefficient(a, 2); }};
-
-const Emendation logarithm{"§29, (2), first member",
-                           {"Θ / cot ½α", std::tan(1.25_deg)},
-                           {"Θ l cot ½α", -std::log(std::tan(1.25_deg))},
-                           "it is the member with the logarithm of the cotangent, worked out in §31",
-                           [](double l) {
-                             const auto m = three_members(2.5_deg, 6);
-                             return l * m.factor + m.second + m.third
-                                    == within(swing::quarter_time_from_top(5_deg), 2e-6,
-                                              "the fourth column");
-                           }};
-
-const Emendation third_member{
-    "§29, (2), third member",
-    {"¾ cos²α l 2", 0.75 * std::pow(std::cos(2.5_deg), 2) * std::numbers::ln2},
-    {"¾ cos α sin²α l 2", 0.75 * std::cos(2.5_deg) * std::pow(std::sin(2.5_deg), 2) * std::numbers::ln2},
-    "it is the third column of §27, and §32 works it out with the sine",
-    [](double third) {
-      const auto m = three_members(2.5_deg, 6);
-      return m.first + m.second + third
-             == within(swing::quarter_time_from_top(5_deg), 2e-6, "the fourth column");
-    }};
+const Emendation formula{
+    "§29, (2)",
+    {"/ cot ½α (… + cos α / 2 + ¾ cos²α / 2)",
+     std::tan(1.25_deg) * (m.factor + cosine / 2 + 0.75 * cosine * cosine / 2)},
+    {"l cot ½α (…) + cos α l 2 + ¾ cos α sin²α l 2", m.sum()},
+    "these are the columns of §§21, 22 and 27, as §§31 and 32 work them out",
+    [](double B) { return B == within(swing::quarter_time_from_top(5_deg), 1.6e-6, "the fourth column"); }};
