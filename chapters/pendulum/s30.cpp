@@ -27,7 +27,8 @@ $$ \begin{gathered} l\sin^2\alpha = 7{,}2793592, \\
 
 From these he computes the series by which $l\cot\tfrac12\alpha$ is to be multiplied,
 
-$$ 1 + \tfrac14\sin^2\alpha + \tfrac{9}{64}\sin^4\alpha + \tfrac{25}{256}\sin^6\alpha + \text{etc.} = 1{,}0004801. \tag{3} $$
+$$ 1 + \tfrac14\sin^2\alpha + \tfrac{9}{64}\sin^4\alpha + \tfrac{25}{256}\sin^6\alpha + \text{etc.}
+   = 1{,}0004801. \tag{3} $$
 
 This last number is the wrong one.
 

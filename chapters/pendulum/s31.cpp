@@ -9,9 +9,10 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-The first member is the series of {{sec pendulum.30}} times the hyperbolic logarithm of $\cot\tfrac12\alpha$.
-Euler looks up the common logarithm of the cotangent of $1°\,15'$, which is 1,6611437, and turns it into a hyperbolic one
-by the factor 2,30258509. So the first member of {{eq pendulum.29 2}} is a product of three factors,
+The first member is the series of {{sec pendulum.30}} times the hyperbolic logarithm of
+$\cot\tfrac12\alpha$. Euler looks up the common logarithm of the cotangent of $1°\,15'$, which is 1,6611437,
+and turns it into a hyperbolic one by the factor 2,30258509. So the first member of {{eq pendulum.29 2}} is a
+product of three factors,
 
 ::: margin
 2,30258509… is $\ln 10$, so that the last two factors are $\ln\cot 1°15'$.
