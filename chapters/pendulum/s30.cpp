@@ -9,7 +9,7 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-The first example is begun with a table of logarithms, and one of its numbers is wrong. The pendulum is let go
+The first example begins with a table of logarithms, and one of its numbers is wrong. The pendulum is let go
 at $bAg = 5°$ from the top and rises to the same height on the other side. So $\eta = 5°$ and
 $\alpha = 2°\,30'$, and the table gives
 
