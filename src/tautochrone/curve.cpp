@@ -3,7 +3,11 @@
 #include "exact/ode.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
 
 namespace tautochrone
 {
@@ -24,11 +28,11 @@ Point beginning(const Fifty& k, const Fifty& phi)
 {
   const Point end = highest_end(k);
   const Fifty enough = falling(phi) - 80 * k * k;
-  if (falling(end.phi) >= enough)
+  if(falling(end.phi) >= enough)
     return end;
   Fifty lower = phi;
   Fifty upper = end.phi;
-  while (enough - falling(upper) > k * k)
+  while(enough - falling(upper) > k * k)
   {
     const Fifty middle = (lower + upper) / 2;
     (falling(middle) > enough ? lower : upper) = middle;
@@ -45,14 +49,14 @@ Fifty falling(const Fifty& phi)
 
 Point highest_end(const Fifty& k)
 {
-  if (!(k > 0 && k < 1))
+  if(!(k > 0 && k < 1))
     throw std::domain_error("a pendulum on cheeks needs 0 < k < a, not k/a = " + k.str(6));
   return {atan((1 - k) / sqrt(k)), sqrt(k * (1 - k + k * k)), (1 - k) * (1 - k) / 2};
 }
 
 std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
 {
-  if (k < Fifty("1e-9"))
+  if(k < Fifty("1e-9"))
     throw std::domain_error("k/a is too small to follow the curve: " + k.str(6));
   const Point end = highest_end(k);
   const Fifty kk = k * k;
@@ -64,14 +68,14 @@ std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
   };
   std::vector<Fifty> radii;
   Point at = end;
-  for (auto phi = angles.rbegin(); phi != angles.rend(); ++phi)
+  for(auto phi = angles.rbegin(); phi != angles.rend(); ++phi)
   {
-    if (!(*phi >= 0 && *phi <= (radii.empty() ? end.phi : at.phi)))
+    if(!(*phi >= 0 && *phi <= (radii.empty() ? end.phi : at.phi)))
       throw std::domain_error("the angles must grow up to " + end.phi.str(6) + ", unlike " + phi->str(6));
     const Point start = *phi == 0 ? Point{0, 1, 0} : beginning(k, *phi);
-    if (radii.empty() || start.phi < at.phi)
+    if(radii.empty() || start.phi < at.phi)
       at = start;
-    if (*phi != at.phi)
+    if(*phi != at.phi)
       at.r = solve(right_side, versine(at.phi), {at.r}, versine(*phi), Fifty("1e-30")).y[0];
     at.phi = *phi;
     radii.push_back(at.r);
@@ -83,6 +87,21 @@ std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
 Fifty highest(const Fifty& k, const Fifty& phi)
 {
   return highest(k, std::vector<Fifty>{phi})[0];
+}
+
+double followed_back(double k, double phi, double tolerance)
+{
+  const auto right_side = [](double at, const double r[], double slope_there[], void* k_of_body) {
+    slope_there[0] = slope(at, r[0], *static_cast<double*>(k_of_body));
+    return int{GSL_SUCCESS};
+  };
+  gsl_odeiv2_system system{right_side, nullptr, 1, &k};
+  const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, -1e-3, tolerance, 0),
+      gsl_odeiv2_driver_free);
+  double at = std::max(phi, std::atan((1 - k) / std::sqrt(k)));
+  double r = std::sqrt(k * (1 - k + k * k));
+  return gsl_odeiv2_driver_apply(driver.get(), &at, phi, &r) == GSL_SUCCESS ? r : std::nan("");
 }
 
 }  // namespace tautochrone

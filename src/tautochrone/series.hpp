@@ -4,17 +4,53 @@
  */
 #include "exact/series.hpp"
 
+#include <cmath>
 #include <vector>
 
 /// The tautochrone of compound pendulums.
 namespace tautochrone
 {
 
+// [powers]
 /// A polynomial in cos φ and 1/cos φ with exact coefficients.
 using Powers = exact::Laurent<exact::Rational>;
 
+/// cosⁿφ, for n of either sign.
+inline Powers cosine(int n)
+{
+  return {1, n};
+}
+
+/// The derivative of such a polynomial with respect to φ, times sin φ; this is a polynomial again.
+template <class Number>
+exact::Laurent<Number> slope_times_sine(const exact::Laurent<Number>& p)
+{
+  return (exact::Laurent<Number>(Number(1), 2) - 1) * derivative(p);  // −sin²φ = cos²φ − 1
+}
+// [powers]
+
 /// A series in kk whose coefficients are such polynomials.
 using Expansion = exact::Series<Powers>;
+
+/// The first correction (§29): P = −(1 − cos⁴φ)/a cos³φ. Domain: a ≠ 0.
+inline Powers P(const exact::Rational& a)
+{
+  return (cosine(4) - 1) / (a * cosine(3));
+}
+
+// [radius]
+/// Euler's radius of curvature MG with both corrections (§30), in the unit of the lengths a and k.
+/// Domain: a > 0, k ≥ 0, |φ| < ½π; from some angle on it is negative, which no curve on cheeks can be.
+/// Real: double (to 4 ulps of the largest term) or exact::Fifty.
+template <class Real>
+Real radius(const Real& a, const Real& k, const Real& phi)
+{
+  using std::cos, std::pow, std::sin;
+  const Real c = cos(phi), s = sin(phi);
+  return a * c - k * k * (1 - pow(c, 4)) / (a * pow(c, 3))
+         - 6 * pow(k, 4) * s * s / (pow(a, 3) * pow(c, 7));
+}
+// [radius]
 
 /**
  * The left side of Euler's differential equation, ordered by powers of kk as in §28; zero on a tautochrone.
@@ -45,5 +81,8 @@ std::vector<exact::Laurent<Number>> corrections(int last);
 /// r/a through the power (kk/aa)^order, as a polynomial in cos φ and 1/cos φ. `k` is k/a, not negative.
 /// @throws std::domain_error if order < 0
 exact::Laurent<exact::Fifty> truncated(int order, const exact::Fifty& k);
+
+/// The same with its coefficients rounded to doubles, for the races.
+exact::Laurent<double> truncated_in_double(int order, const exact::Fifty& k);
 
 }  // namespace tautochrone

@@ -1,5 +1,6 @@
 #include "tautochrone/swing.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace tautochrone
@@ -7,29 +8,39 @@ namespace tautochrone
 
 using exact::Fifty;
 
+namespace
+{
+
+void require_swing(const Fifty& k, const Fifty& phi0)
+{
+  if(!(phi0 >= Fifty("1e-4") && phi0 < exact::pi() / 2 && k >= 0))
+    throw std::domain_error("a swing needs 0.0001 ≤ φ₀ < ½π and k ≥ 0");
+}
+
+}  // namespace
+
 Fifty excess(const std::function<Fifty(const Fifty&)>& r, const std::function<Fifty(const Fifty&)>& x,
              const Fifty& k, const Fifty& phi0)
 {
-  if (!(phi0 >= Fifty("1e-4") && phi0 < exact::pi() / 2 && k >= 0))
-    throw std::domain_error("a swing needs 0.0001 ≤ φ₀ < ½π and k ≥ 0");
+  require_swing(k, phi0);
   const Fifty c = x(phi0);
   const Fifty small_swing = exact::pi() * sqrt(2 * (1 + k * k));
   Fifty before;
-  for (int nodes = 16; nodes <= 1024; nodes *= 2)
+  for(int nodes = 16; nodes <= 1024; nodes *= 2)
   {
     Fifty sum;
-    for (int i = 0; i < nodes; ++i)
+    for(int i = 0; i < nodes; ++i)
     {
       const Fifty alpha = (i + Fifty(0.5)) * exact::pi() / (2 * nodes);
       const Fifty phi = phi0 * sin(alpha);
       const Fifty radius = r(phi);
       const Fifty to_fall = c - x(phi);
-      if (!(to_fall > 0))
+      if(!(to_fall > 0))
         throw std::domain_error("the curve does not rise to φ = " + phi0.str(6));
       sum += phi0 * cos(alpha) * sqrt((k * k + radius * radius) / to_fall);
     }
     const Fifty result = exact::pi() / nodes * sum / small_swing - 1;
-    if (abs(result - before) < Fifty("1e-25"))
+    if(abs(result - before) < Fifty("1e-25"))
       return result;
     before = result;
   }
@@ -38,6 +49,9 @@ Fifty excess(const std::function<Fifty(const Fifty&)>& r, const std::function<Fi
 
 Fifty excess(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& phi0)
 {
+  require_swing(k, phi0);
+  if(r(cos(phi0)) < 1e-4)
+    return std::nan("");
   const exact::Laurent<Fifty> falling = integral(r);  // dx = r dφ sin φ = −r d(cos φ)
   const auto x = [&](const Fifty& phi) { return falling(Fifty(1)) - falling(cos(phi)); };
   return excess([&](const Fifty& phi) { return r(cos(phi)); }, x, k, phi0);
