@@ -23,7 +23,9 @@ constexpr Balance<> example{1, 9, 0.5, 0.25};
 /// Where the balance comes to after the time s if its accelerations last.
 State<Fifty> after(const Fifty& s, const State<Fifty>& now, const Angles<Fifty>& a)
 {
-  const auto angle = [&s](const auto& x, const auto& v, const auto& w) { return x + s * v + s * s * w / 2; };
+  const auto angle = [&s](const auto& x, const auto& v, const auto& w) {
+    return x + s * v + s * s * w / 2;
+  };
   return {{angle(now.at.omega, now.rate.omega, a.omega), angle(now.at.eta, now.rate.eta, a.eta),
            angle(now.at.theta, now.rate.theta, a.theta)},
           {now.rate.omega + s * a.omega, now.rate.eta + s * a.eta, now.rate.theta + s * a.theta}};
@@ -42,7 +44,8 @@ const std::array<State<Fifty>, 3> scenes{{{{0.1, -0.12, 0.08}, {0.3, -0.2, 0.4}}
 
 }  // namespace
 
-TEST_CASE("the accelerations satisfy Euler's five equations, with the two tensions eliminated in another way")
+TEST_CASE(
+    "the accelerations satisfy Euler's five equations, with the two tensions eliminated in another way")
 {
   const Instrument& r = of_35;
   const Fifty inertia = Fifty(r.M) * (Fifty(r.kk) + Fifty(r.c) * r.c);  // of the beam about C
@@ -128,6 +131,16 @@ TEST_CASE("the motion does not depend on where one stops on the way")
   CHECK(halting.to(10).at.eta == within(whole.to(10).at.eta, 1e-11, "two sequences of steps at 1e-13"));
 }
 
+TEST_CASE("a course is the motion at equal steps")
+{
+  const State<> start = released(1. / 6, 1. / 6, 0);
+  const auto states = course(example, start, 6, 3);
+  REQUIRE(states.size() == 4);
+  CHECK(states[0].at.eta == start.at.eta);
+  CHECK(states[3].at.theta
+        == within(oracle(example, start, 6).at.theta, 1e-12, "some fifty steps at 1e-13"));
+}
+
 TEST_CASE("seen in a mirror the balance moves as its image does")
 {
   const State<> start{{0.3, -0.5, 0.7}, {0.1, 1.0, -1.0}};
@@ -156,7 +169,7 @@ TEST_CASE("for small swings the first order is wrong by squares, the second by c
     const Angles<> exact = motion.to(5).at;
     const Angles<> first = small_motion(b, start, 5);
     const Angles<> second = second_order(b, start.at, 5);
-    return std::array{exact.omega - first.omega, exact.eta - first.eta, exact.theta - first.theta,
+    return std::array{exact.omega - first.omega,  exact.eta - first.eta,  exact.theta - first.theta,
                       exact.omega - second.omega, exact.eta - second.eta, exact.theta - second.theta};
   };
   const auto large = errors(1e-3);
@@ -175,6 +188,16 @@ TEST_CASE("small motions are right for a falling and for an indifferent beam too
   const double falling = small_motion({-0.25, 9, 0.5, 0.25}, start, 3).omega;
   const double closed_form = 0.01 * std::cosh(1.5) + 0.04 * std::sinh(1.5);
   CHECK(falling == within_ulps(closed_form, 2, "the same formula, otherwise grouped"));
+}
+
+TEST_CASE("with a longer period a pan keeps time with a pendulum of its amplitude")
+{
+  // the beam held by its inertia: λ = 0, ρ = 0, so that P is a simple pendulum
+  const double n = 0.1, t = 2 * std::numbers::pi / 3;
+  const double exact = Motion({0, 9, 0.5, 0}, released(0, n, 0)).to(t).at.eta;
+  const Angles<> longer = small_motion(with_longer_period({0, 9, 0.5, 0}, n), released(0, n, 0), t);
+  CHECK(exact == within(longer.eta, 2e-6, "the third harmonic, n³/192 of it in n, and n⁵"));
+  CHECK(std::abs(small_motion({0, 9, 0.5, 0}, released(0, n, 0), 5 * t).eta - n * std::cos(0)) < 1e-12);
 }
 
 TEST_CASE("a driven oscillator near resonance keeps its digits")

@@ -53,13 +53,12 @@ Angles<> second_order(const Balance<>& b, const Angles<>& released, double t)
   const double lambda = std::sqrt(b.lambda2);
   const double mu = std::sqrt(b.mu2);
   const auto sidebands = [&](double q) { return driven(q, mu - lambda, t) + driven(q, mu + lambda, t); };
-  const double product = b.beta * b.lambda2 * m / 2 * sidebands(mu);            // from −βηω̈
-  const double arc = b.beta * b.lambda2 * m * m * driven(mu, 2 * lambda, t);    // from β(½ω²)″
-  const double turned = b.mu2 * m * (n - n1) / 2 * sidebands(lambda);           // from ω(η̈ − ϑ̈)
+  const double product = b.beta * b.lambda2 * m / 2 * sidebands(mu);          // from −βηω̈
+  const double arc = b.beta * b.lambda2 * m * m * driven(mu, 2 * lambda, t);  // from β(½ω²)″
+  const double turned = b.mu2 * m * (n - n1) / 2 * sidebands(lambda);         // from ω(η̈ − ϑ̈)
   const double pulled = b.mu2 * (n * n - n1 * n1) * driven(lambda, 2 * mu, t);  // from −½(η² − ϑ²)″
   return {m * std::cos(lambda * t) + b.rho / b.beta * (pulled - turned),
-          n * std::cos(mu * t) + n * product - arc,
-          n1 * std::cos(mu * t) - n1 * product + arc};
+          n * std::cos(mu * t) + n * product - arc, n1 * std::cos(mu * t) - n1 * product + arc};
 }
 
 }  // namespace balance

@@ -114,6 +114,14 @@ Number energy(const Balance<Number>& b, const State<Number>& now)
 /// cosine), η and ϑ with μ. Error: a few ulps of the greatest angle, and those of the phase λt or μt.
 Angles<> small_motion(const Balance<>& b, const State<>& start, double t);
 
+/// The same balance with the period of its pans longer by the factor 1 + nn/16, as that of any pendulum of the
+/// amplitude n is to the second order of n (radians).
+inline Balance<> with_longer_period(Balance<> b, double n)
+{
+  b.mu2 /= (1 + n * n / 16) * (1 + n * n / 16);
+  return b;
+}
+
 /// The excursion at the time t of an oscillator of frequency q, at rest for t = 0, that is driven by cos
 /// pt: (cos pt − cos qt)/(q² − p²), the solution of x″ + q²x = cos pt, and its limit t sin(qt)/(2q) for p =
 /// q. Nothing is lost when p and q are near: error a few ulps of min(½t², 1/|q² − p²|), and those of the

@@ -1,8 +1,10 @@
 /// @file
-/// Euler's solution for a balance let go from rest (§33), the exact motion, and what lies between the two.
+/// Euler's solution for a balance let go from rest (§33).
 #pragma once
 
-#include <vector>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "balance/motion.hpp"
 
@@ -21,7 +23,10 @@ struct Release
 inline constexpr Release example_of_35{1, 3, 0.25, {1. / 6, 1. / 6, 1. / 6}, 0.25};
 
 /// The numbers of the balance: since i = λμμa/4g = λa/2b, the arm is to the string as 2i to λ.
-Balance<> balance_of(const Release& r);
+inline Balance<> balance_of(const Release& r)
+{
+  return {r.lambda * r.lambda, r.mu * r.mu, 2 * r.i / r.lambda, r.rho};
+}
 
 // [euler]
 /// Beam and pans at the time t by Euler's formulae (§33), which are not exact. Precondition: λ ≠ 2μ.
@@ -32,37 +37,24 @@ inline Angles<> euler(const Release& r, double t)
   const double slower = std::cos((r.mu - r.lambda) * t) / (2 * r.mu - r.lambda);
   const double faster = std::cos((r.mu + r.lambda) * t) / (2 * r.mu + r.lambda);
   const double strays = r.i * m * (slower - faster);
-  return {m * std::cos(r.lambda * t), n * (std::cos(r.mu * t) + strays), n1 * (std::cos(r.mu * t) - strays)};
+  return {m * std::cos(r.lambda * t), n * (std::cos(r.mu * t) + strays),
+          n1 * (std::cos(r.mu * t) - strays)};
 }
 // [euler]
 
-/// One moment of a motion, known in four ways.
-struct Moment
+// [departure]
+/// The most, in radians, that η by the full equations departs from η by a formula in one period of the beam, to
+/// some four digits (720 moments are looked at). Throws as Motion does.
+template <class Formula>
+double departure(const Release& r, Formula eta)
 {
-  double t;
-  Angles<> exact;         ///< by integration of the full equations
-  Angles<> euler;         ///< by euler()
-  Angles<> second_order;  ///< by second_order()
-  Angles<> lengthened;    ///< the same with the pans' period longer by the factor 1 + n²/16
-};
-
-/// The motion through one period of the beam, 2π/λ, at `parts` + 1 moments equally far apart.
-/// @throws std::domain_error and std::runtime_error as Motion does. Precondition: parts ≥ 1
-std::vector<Moment> one_period(const Release& r, int parts);
-
-/// For η at one moment: what Euler's formula adds to n cos μt, and the truth less each of the solutions.
-struct Departure
-{
-  double strays, from_euler, from_second_order, from_lengthened;
-};
-
-inline Departure departure(const Release& r, const Moment& now)
-{
-  return {now.euler.eta - r.at.eta * std::cos(r.mu * now.t), now.exact.eta - now.euler.eta,
-          now.exact.eta - now.second_order.eta, now.exact.eta - now.lengthened.eta};
+  const double period = 2 * std::numbers::pi / r.lambda;
+  const auto full = course(balance_of(r), {r.at, {}}, period, 720);
+  double most = 0;
+  for(std::size_t k = 0; k < full.size(); ++k)
+    most = std::max(most, std::abs(full[k].at.eta - eta(r, period * static_cast<double>(k) / 720)));
+  return most;
 }
-
-/// The greatest of each in one period of the beam, to some four digits (720 moments are looked at).
-Departure greatest_departure(const Release& r);
+// [departure]
 
 }  // namespace balance

@@ -69,8 +69,8 @@ struct Motion::Inner
   Inner(const Balance<>& balance, const State<>& start, double its_tolerance)
       : b(balance), tolerance(its_tolerance), start_energy(energy(balance, start)), now(start)
   {
-    const bool possible = b.mu2 > 0 && b.beta > 0 && b.rho >= 0 && b.rho < 0.5 && std::isfinite(b.lambda2) &&
-                          std::isfinite(b.mu2) && std::isfinite(b.beta) && all_finite(start);
+    const bool possible = b.mu2 > 0 && b.beta > 0 && b.rho >= 0 && b.rho < 0.5 && std::isfinite(b.lambda2)
+                          && std::isfinite(b.mu2) && std::isfinite(b.beta) && all_finite(start);
     if(!possible || !(tolerance >= 1e-15 && tolerance <= 0.1))
       throw std::domain_error("no such motion: allowed are μ² > 0, β > 0, 0 ≤ ρ < ½ and finite numbers");
     system.params = &b;
@@ -94,9 +94,7 @@ const State<>& Motion::to(double t)
   if(!std::isfinite(t) || t < inner_->t)
     throw std::invalid_argument("a motion can only be carried on to a later time");
   auto y = row(inner_->now);
-  const auto handler = gsl_set_error_handler_off();  // a failure comes back as a status
   const int status = gsl_odeiv2_driver_apply(inner_->driver.get(), &inner_->t, t, y.data());
-  gsl_set_error_handler(handler);
   if(status != GSL_SUCCESS)
     throw std::runtime_error(std::string("the motion cannot be carried on: ") + gsl_strerror(status));
   inner_->now = state(y);
@@ -107,6 +105,15 @@ double Motion::energy_drift() const
 {
   const double change = std::abs(energy(inner_->b, inner_->now) - inner_->start_energy);
   return inner_->start_energy == 0 ? change : change / std::abs(inner_->start_energy);
+}
+
+std::vector<State<>> course(const Balance<>& b, const State<>& start, double until, int parts)
+{
+  Motion motion(b, start);
+  std::vector<State<>> states;
+  for(int k = 0; k <= parts; ++k)
+    states.push_back(motion.to(until * k / parts));
+  return states;
 }
 
 State<> runge_kutta(const Balance<>& b, const State<>& start, double t, int steps)

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "balance/balance.hpp"
 
@@ -44,6 +45,10 @@ private:
   struct Inner;
   std::unique_ptr<Inner> inner_;
 };
+
+/// The states at `parts` + 1 moments equally far apart, from 0 to `until`, with the tolerance 1e-13.
+/// @throws std::domain_error and std::runtime_error as Motion does. Precondition: parts ≥ 1, until ≥ 0
+std::vector<State<>> course(const Balance<>& b, const State<>& start, double until, int parts);
 
 /// The state at the time t by the classical Runge–Kutta rule of the fourth order in `steps` equal steps.
 /// Its error falls as steps⁻⁴. @throws std::invalid_argument unless steps ≥ 1
