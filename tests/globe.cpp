@@ -109,7 +109,8 @@ TEST_CASE("Carlson's integrals agree with GSL's")
     const char* const because = "GSL stops its series at 10⁻³ of spread and sums a few hundred roundings";
     CHECK(R_F(x, y, z) == within_relative(gsl_sf_ellint_RF(x, y, z, GSL_PREC_DOUBLE), 2e-14, because));
     CHECK(R_D(x, y, z) == within_relative(gsl_sf_ellint_RD(x, y, z, GSL_PREC_DOUBLE), 2e-14, because));
-    CHECK(R_J(x, y, z, p) == within_relative(gsl_sf_ellint_RJ(x, y, z, p, GSL_PREC_DOUBLE), 2e-14, because));
+    CHECK(R_J(x, y, z, p)
+          == within_relative(gsl_sf_ellint_RJ(x, y, z, p, GSL_PREC_DOUBLE), 2e-14, because));
   }
 }
 
@@ -164,6 +165,30 @@ TEST_CASE("the time to the top is its integral, from a centred ball to a very ec
     }
 }
 
+TEST_CASE(
+    "Euler's time to the top exceeds the time by less than the next term, and is good to 3 ulps in double")
+{
+  for(const double c : {1e-6, 0.01, 0.3, 2.0})
+    for(const double omega : {1e-300, 1e-9, 0.3, 1.0, 1.5})
+    {
+      const Fifty euler = separatrix_time_by_euler<Fifty>(c, 1, omega);
+      const Fifty time = separatrix_time<Fifty>(c, 1, omega);
+      CHECK(time <= euler);
+      CHECK(time >= euler + separatrix_next_term<Fifty>(c, 1, omega));
+      CHECK(separatrix_time_by_euler(c, 1.0, omega) == within_ulps(euler, 3, "the stated error"));
+      CHECK(separatrix_next_term(c, 1.0, omega)
+            == within_ulps(separatrix_next_term<Fifty>(c, 1, omega), 16, "a dozen roundings"));
+    }
+}
+
+TEST_CASE("our ball is the homogeneous one with its pellet")
+{
+  const auto [a, c, k] = our_ball<Fifty>;
+  const Fifty about_C = Fifty(4) / 5 * (Fifty(2) / 5) * a * a + Fifty(1) / 5 * (a / 2) * (a / 2);
+  CHECK(c == within(Fifty(1) / 5 * a / 2, 1e-50, "one rounding"));
+  CHECK(k * k == within(about_C - c * c, 1e-49, "a few roundings"));
+}
+
 TEST_CASE("the time to the top in double keeps what it promises")
 {
   Spread spread(6);
@@ -193,7 +218,8 @@ TEST_CASE("the angle at a time has that time")
       const double omega = separatrix_angle(c, 1.0, tau);
       const double last_place = std::nextafter(omega, 2.0) - omega;
       const double blur = last_place * std::hypot(1.0, c * std::sin(2 * omega)) / std::sin(omega);
-      CHECK(separatrix_time(c, 1.0, omega) == within(tau, 5e-15 * tau + blur, "20 ulps and the last place of ω"));
+      CHECK(separatrix_time(c, 1.0, omega)
+            == within(tau, 5e-15 * tau + blur, "20 ulps and the last place of ω"));
     }
   CHECK(separatrix_angle(0.1, 0.6, 0.0) == within_ulps(exact::pi() / 2, 1, "an arc tangent"));
   CHECK_THROWS_AS(separatrix_angle(0.1, 0.6, -1.0), std::domain_error);

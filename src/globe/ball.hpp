@@ -11,8 +11,7 @@
 namespace globe
 {
 
-/// A ball whose centre of gravity G is not its centre C. A homogeneous ball of weight 4/5 and radius 1 with
-/// a pellet of weight 1/5 halfway down to its surface has a = 1, c = 1/10, kk = 9/25.
+/// A ball whose centre of gravity G is not its centre C.
 template <class Real>
 struct Ball
 {
@@ -21,6 +20,16 @@ struct Ball
   Real k;  ///< the moment of inertia about the axis through G is weight · kk, k > 0
 };
 
+// [our_ball]
+/// The ball of the programs, in feet: a homogeneous one of weight 4/5 and radius 1 with a pellet of weight 1/5
+/// halfway down to its surface, and the height that it would fall in the first second. Euler gives no numbers.
+template <class Real>
+inline const Ball<Real> our_ball{1, Real(1) / 10, Real(3) / 5};
+template <class Real>
+inline const Real our_g = Real(125) / 8;
+// [our_ball]
+
+// [accelerations]
 /// The accelerations of G and of the angle, and what the plane bears.
 template <class Real>
 struct Accelerations
@@ -48,5 +57,6 @@ Accelerations<Real> accelerations(const Ball<Real>& ball, const Real& g, const R
   const Real pressure = k * k * (1 + c * w * w * cos(Phi) / (2 * g)) / (k * k - c * sin(Phi) * arm);
   return {-2 * g * lambda * pressure, 2 * g * (pressure - 1), 2 * g * pressure * arm / (k * k), pressure};
 }
+// [accelerations]
 
 }  // namespace globe

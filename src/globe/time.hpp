@@ -2,10 +2,34 @@
 /// Times of the ball that have a closed form, in Euler's natural measure τ = t√(2gc), which is a length.
 #pragma once
 
+#include <cmath>
+
 #include "exact/fifty.hpp"
 
 namespace globe
 {
+
+// [by_euler]
+/// Euler's time τ = t√(2gc) in Case II (§17), until the centre of gravity stands at the angle 2ω from the
+/// highest place. Domain: as separatrix_time(). It is too long, by less than the next term of his expansion.
+/// Real: double (to 3 ulps) or exact::Fifty.
+template <class Real>
+Real separatrix_time_by_euler(const Real& c, const Real& k, const Real& omega)
+{
+  using std::asinh, std::cos, std::tan;
+  const Real v = cos(omega);
+  return 2 * c * (c / k) / 3 * v * v * v + k * asinh(1 / tan(omega));  // arsinh cot ω = −l tan ½ω
+}
+
+/// The next term, −(2c⁴/k³)(cos⁵ω/5 − cos⁷ω/7).
+template <class Real>
+Real separatrix_next_term(const Real& c, const Real& k, const Real& omega)
+{
+  using std::cos;
+  const Real v = cos(omega), r = c / k;
+  return -2 * c * r * r * r * v * v * v * v * v * (1 / Real(5) - v * v / 7);
+}
+// [by_euler]
 
 /// On a smooth plane, with just the velocity that the top asks for (ζζkk = 8gc, Euler's Case II): the time τ
 /// = t√(2gc) from the lowest position until the centre of gravity stands at the angle 2ω from the highest.
