@@ -8,7 +8,7 @@ set xlabel "eccentricity {/:Italic c}/{/:Italic k}"
 set ylabel "error at 90°, over {/:Italic k}"
 set label "with {/:Italic cc}/3{/:Italic k}" at 0.03, 5e-4 right textcolor linetype 2
 set label "with 2{/:Italic cc}/3{/:Italic k}" at 0.04, 8e-7 right textcolor linetype 1
-set label "and the next term" at 0.155, 4e-11 right textcolor linetype 3
+set label "and the next term" at 0.2, 3e-8 left textcolor linetype 3
 set arrow from 1. / 6, 1e-14 to 1. / 6, 1 nohead linetype 6
 set label "our ball" at 0.175, 4e-14 left textcolor linetype 6
 plot tsv("globe-18.readings") using "c":"one" with lines linetype 2, \

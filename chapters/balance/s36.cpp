@@ -75,7 +75,7 @@ std::string written(double angle)  // in degrees and minutes of Euler's
 {
   const long minutes = std::lround(std::abs(3600 * angle));
   const std::string sign = angle < 0 && minutes > 0 ? "−" : "";
-  return sign + std::to_string(minutes / 60) + "° " + std::to_string(minutes % 60) + "′";
+  return sign + std::to_string(minutes / 60) + "°\u00a0" + std::to_string(minutes % 60) + "′";
 }
 
 TELL

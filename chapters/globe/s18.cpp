@@ -90,7 +90,6 @@ TELL
   const double exact = separatrix_time<double>(c, k, omega);
   const double euler = separatrix_time_by_euler<double>(c, k, omega);
   const double equal = separatrix_time_by_euler(1., 1., 45_deg) / separatrix_time(1., 1., 45_deg);
-  tell("zeta", 2 * second / k, Unit{"rad/s"}, "angular velocity at the start, √(8gc)/k");
   tell("t_euler", euler / second, seconds, "time until Φ = 180° − 2ω, by Euler's formula (1)");
   tell("t", exact / second, seconds, "the same, exactly");
   tell("late", euler / exact - 1, percent, "by how much Euler's time is too long");

@@ -188,7 +188,7 @@ corrections. At small angles every correction lowers the error by a decade or mo
 near 50 degrees and part again in the opposite order.
 
 The error of $r/a$ when the series is kept through $k^{2n}$; the dips are where an approximation crosses the
-exact curve. The more corrections, the better at small angles, and the worse beyond 60°.
+exact curve. The more corrections, the better at small angles, and the worse at the end of the curve.
 :::
 
 ## Checks
