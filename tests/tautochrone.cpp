@@ -225,6 +225,15 @@ TEST_CASE("followed back in double the curve is as good as promised")
   CHECK(std::isnan(followed_back(0.1, 0.5, 0)));
 }
 
+TEST_CASE("with n corrections a small swing is longer by ¼ φ₀² (3κ)ⁿ κ/(1 + κ), where κ = kk/aa")
+{
+  const Fifty amplitude("1e-3"), kappa("0.01");
+  for(int n = 0; n <= 3; ++n)
+    CHECK(excess(truncated(n, sqrt(kappa)), sqrt(kappa), amplitude) / pow(amplitude, 2)
+          == within_relative(pow(3 * kappa, n) * kappa / (4 * (1 + kappa)), 2e-5,
+                             "the next power of the amplitude, 10⁻⁶, has a coefficient below 20"));
+}
+
 TEST_CASE("what is no pendulum on cheeks is refused")
 {
   CHECK_THROWS_AS(highest_end(0), std::domain_error);

@@ -244,15 +244,6 @@ CHECK_THAT("the error of (5) is the next term of the series, the more nearly the
   }
 }
 
-CHECK_THAT("with n corrections a small swing is longer by ¼ φ₀² (3κ)ⁿ κ/(1 + κ), where κ = kk/aa")
-{
-  const Fifty amplitude("1e-3"), kappa("0.01");
-  for(int n = 0; n <= 3; ++n)
-    CHECK(excess(truncated(n, sqrt(kappa)), sqrt(kappa), amplitude) / pow(amplitude, 2)
-          == within_relative(pow(3 * kappa, n) * kappa / (4 * (1 + kappa)), 2e-5,
-                             "the next power of the amplitude, 10⁻⁶, has a coefficient below 20"));
-}
-
 /*!
 In the scan {{eq 1}} and {{eq 5}} have suffered, and {{eq 2}} has a wrong figure, which may be the scan's or
 the printer's. The readings are tried at $\cos\varphi = \tfrac35$, in fractions.
