@@ -207,7 +207,7 @@ for (const file of fs
     .replace(/<div class="(?:PageDoc"><div class=")?header">[^]*?(?=<div class="contents">)/, '');
   const seen = {
     equations: new Set([...body.matchAll(/id="eq-([^"]+)"/g)].map((m) => m[1])),
-    coded: new Set(),
+    coded: new Set([...body.matchAll(/id="code-([^"]+)"/g)].map((m) => m[1])),
   };
   body = body.replace(
     /<div class="fragment">((?:<div class="line">[^]*?<\/div>\s*)*)<\/div>(?:<!-- fragment -->)?/g,

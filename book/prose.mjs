@@ -91,7 +91,7 @@ rules.math = (tokens, i, _, page) => {
   const formula = page.formulas.set(page.fill(tokens[i].content), false);
   const stop = tokens[i].meta; // after a short formula it stays on the line
   const together = stop && tokens[i].content.length <= 20;
-  return together ? `<span class="stopped">${formula}${stop}</span>` : formula + stop;
+  return together ? `<span class="stopped">${formula}${stop}</span>` : formula + (stop && `\u2060${stop}`);
 };
 rules.told = (tokens, i, _, page) =>
   page.refer(tokens[i].content.replaceAll('\\|', '|').trim(), tokens[i].meta);
@@ -247,13 +247,18 @@ export class Page {
       this.noFigure = this.inline(text.replace(/\s+/g, ' '));
       return '';
     }
-    const [, file, name] = /^code (\S+) (\w+)$/.exec(kind) ?? [];
+    const [, file, name, formulae] = /^code (\S+) (\w+)((?: \(\w+\))*)$/.exec(kind) ?? [];
     if (file) {
       this.book.snippet(file, name);
-      return `<p class="from">src/${file}</p>\n\\endhtmlonly\n\\snippet ${file} ${name}\n\\htmlonly[block]\n`;
+      const links = formulae.replace(/\((\w+)\)/g, '<a class="eqref" id="code-$1" href="#eq-$1">($1)</a>');
+      return (
+        `<p class="from">src/${file}${links}</p>\n` +
+        `\\endhtmlonly\n\\snippet ${file} ${name}\n\\htmlonly[block]\n`
+      );
     }
     const figure = /^figure (\S+)$/.exec(kind)?.[1];
-    if (!figure) throw new Error(`::: ${kind} is not known (margin, code FILE NAME, figure NAME, no-figure)`);
+    if (!figure)
+      throw new Error(`::: ${kind} is not known (margin, code FILE NAME (n), figure NAME, no-figure)`);
     const [, alternative, caption] = /^alt: *([^]*?)\n\s*\n([^]*)$/.exec(text) ?? [];
     if (!caption?.trim())
       throw new Error(`::: figure ${figure} needs "alt: ...", an empty line, and a caption`);

@@ -78,7 +78,7 @@ function section(name) {
     .join('\n');
   const code = [
     ...all.map((b) => b.code ?? ''),
-    ...[...prose.matchAll(/^::: code (\S+) (\w+)$/gm)].map((m) => snippet(m[1], m[2])),
+    ...[...prose.matchAll(/^::: code (\S+) (\w+)(.*)$/gm)].map((m) => `//${m[3]}\n${snippet(m[1], m[2])}`),
   ];
   const speeds = path.join(source, `book/speeds/${name}.json`);
   return {
