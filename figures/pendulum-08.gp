@@ -1,19 +1,19 @@
 load "figures/style.gp"
 set logscale xy
 set xrange [1:2000]
-set yrange [1e-16:300]
-set format x "10^{%T}"
+set yrange [1e-16:3000]
+set format x "%g"
 set format y "10^{%T}"
 set ytics 1e4
 set xlabel "terms kept, {/:Italic N}"
-set ylabel "left out"
-set label "ζ = 30°" at 6.6, 1e-12 right textcolor linetype 1
-set label "90°" at 24, 1e-11 right textcolor linetype 1
-set label "150°" at 210, 1e-10 right textcolor linetype 1
-set label "175°" at 600, 5e-4 right textcolor linetype 1
-set label "geometric bounds" at 3.3, 40 left textcolor linetype 6
+set ylabel "part of Θ left out"
+set label "ζ = 30°" at 6.2, 1e-10 right textcolor linetype 1
+set label "90°" at 22, 1e-10 right textcolor linetype 1
+set label "150°" at 230, 1e-10 right textcolor linetype 1
+set label "175°" at 900, 3e-4 right textcolor linetype 1
+set label "geometric bound" at 4, 400 left textcolor linetype 6
 left_out = tsv("pendulum-08.left_out")
-plot left_out using "N":"geometric_lower":"geometric_upper" with filledcurves linecolor rgb grey, \
+plot left_out using "N":"geometric" with lines linetype 6, \
      left_out using "N":"R" with lines linetype 1 linewidth 1.2, \
      left_out using "N":"lower" with points linetype 3 pointtype 7 pointsize 0.25, \
      left_out using "N":"upper" with points linetype 3 pointtype 7 pointsize 0.25

@@ -3,33 +3,35 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 namespace pendulum
 {
 
 // [tail]
-/// A little more than all terms of the series from the N-th on (the first is number 0): each a_n²
-/// is replaced by 1/π(n+¼), which it approaches from below, and what then stands there sums to an
-/// arc and a logarithm. The true tail lies between π a_N²(N+¼) times this and this (§8), so that the
-/// two differ by less than one part in 32N².
-/// Domain: 0 < c < 1, s = √(1−cc) > 0, N ≥ 0. Real: double or exact::Fifty.
-/// Error: N + 4 ulps of itself for cc ≤ ½, beyond that (3 + N/2) ulps of the whole sum.
+/// B, a little more than all terms of the series from the N-th on (the first is number 0): the sum of
+/// c²ⁿ/π(n+¼), each a_n² being replaced by what it approaches from below. From 0 on it sums to an arc and a
+/// logarithm. The true tail lies between π a_N²(N+¼) B and B (§8), and these differ by less than one part
+/// in 32N². Domain: 0 < c < 1, s = √(1−cc) > 0, N ≥ 0. Real: double or exact::Fifty.
+/// Error: 10 ulps of itself for cc ≤ ½, beyond that (3 + N/2) ulps of the whole sum.
 template <class Real>
 Real tail_bound(Real c, Real s, int N)
 {
-  using std::atan, std::log1p, std::sqrt;
-  const Real w = sqrt(c);
-  const Real short_of_one = s * s / ((1 + c) * (1 + w));  // 1 − w
-  const bool wide = c * c > Real(0.5);
-  Real sum = wide ? Real((2 * atan(w) + log1p(2 * w / short_of_one)) / w) : Real(0);  // all terms, or none
-  Real power = 1;
-  int n = 0;
-  for(; n < N; ++n, power *= c * c)
-    sum -= wide ? Real(power / (n + Real(0.25))) : Real(0);
-  for(Real before = 1; !wide && sum != before; ++n, power *= c * c)
+  using std::atan, std::log, std::pow, std::sqrt;
+  Real sum = 0;
+  if(c * c <= Real(0.5))  // the terms from the N-th on, until they no longer count
   {
-    before = sum;
-    sum += power / (n + Real(0.25));
+    Real power = pow(c, 2 * N), before = -1;
+    for(int n = N; sum != before; ++n, power *= c * c)
+      before = std::exchange(sum, sum + power / (n + Real(0.25)));
+  }
+  else  // all terms, less the first N
+  {
+    const Real w = sqrt(c);
+    Real power = 1;
+    sum = (2 * atan(w) + 2 * log((1 + w) / s) + log(1 + c)) / w;  // (1+w)/(1−w) = (1+w)²(1+c)/ss
+    for(int n = 0; n < N; ++n, power *= c * c)
+      sum -= power / (n + Real(0.25));
   }
   return sum / (4 * atan(Real(1)));
 }
