@@ -4,7 +4,7 @@ set xrange [1:1e5]
 set yrange [0.9:5.6]
 set format x "10^{%T}"
 set xlabel "number of terms"
-set ylabel "sum"
+set ylabel "sum of the terms"
 set rmargin 8
 set label "180°" at 1.2e5, 4.74 textcolor linetype 2
 set label "178°" at 1.2e5, 3.46 textcolor linetype 1
