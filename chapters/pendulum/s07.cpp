@@ -67,10 +67,9 @@ Real element_in_z(Real z, Real c)  // (5) over dz
 
 /*!
 The integral is no elementary function. Legendre's substitution $z = c\sin\theta$ turns the element into
-$d\theta/\sqrt{1-cc\sin^2\theta}$, which stays finite at the turning point, so that a few points of Gauss'
-rule are enough. The angle θ is found from its tangent, and
-$cc-zz = \sin\frac12(\zeta+\Phi)\sin\frac12(\zeta-\Phi)$ is formed as a product; an arc sine would lose its
-digits near 90°.
+$d\theta/\sqrt{1-cc\sin^2\theta}$, which stays finite at the turning point. The angle θ is found from its
+tangent, with $cc-zz = \sin\frac12(\zeta+\Phi)\sin\frac12(\zeta-\Phi)$ as a product; an arc sine would lose
+its digits near 90°.
 */
 
 double legendre_angle(double phi, Amplitude to)
@@ -78,6 +77,10 @@ double legendre_angle(double phi, Amplitude to)
   const double root = std::sqrt(std::sin((to.zeta + phi) / 2)) * std::sqrt(std::sin((to.zeta - phi) / 2));
   return std::atan2(std::sin(phi / 2), root);
 }
+
+/*!
+In θ a few points of Gauss' rule are enough.
+*/
 
 double by_gauss(double phi, Amplitude to, int points)
 {

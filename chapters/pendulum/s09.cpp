@@ -166,8 +166,8 @@ CHECK_THAT(
 }
 
 /*!
-In the scan the two numbers for $g$ have lost the last stroke of an eighth and a quarter. The proof is the
-length printed two lines below.
+In the scan the two numbers for $g$ have lost the last stroke of an eighth and a quarter. They agree with each
+other, 31 being twice 15½, but not with the length printed beside them.
 */
 
 const Emendation fall{
