@@ -271,13 +271,14 @@ export class Page {
     this.within = name;
     const table = this.section?.told.tables.find((t) => t.name === name.trim());
     if (!table) throw new Error(`no table is told by the name of {{table ${name}}}`);
+    const isWord = (x) => typeof x === 'string' && !/^-?(inf|nan)$/.test(x);
     const head = table.columns.map(
-      (c) =>
-        `<th scope="col">${escape(c.heading)}` +
-        `${c.unit ? ` <span class="unit">${escape(c.unit)}</span>` : ''}</th>`,
+      (c, i) =>
+        `<th scope="col"${table.rows.every((row) => isWord(row[i])) ? ' class="word"' : ''}>` +
+        `${escape(c.heading)}${c.unit ? ` <span class="unit">${escape(c.unit)}</span>` : ''}</th>`,
     );
     const cell = (x, c) => {
-      if (typeof x === 'string' && !/^-?(inf|nan)$/.test(x)) return `<td class="word">${escape(x)}</td>`;
+      if (isWord(x)) return `<td class="word">${escape(x)}</td>`;
       const digits = Number.isInteger(x) ? '' : String(c.digits);
       return `<td>${asText(format({ value: x, unit: '' }, digits))}</td>`;
     };

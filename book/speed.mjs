@@ -31,7 +31,7 @@ export function races(section, book) {
       const rows = race.methods.map((m) => {
         const time = recorded.find((r) => r.name === m.name);
         const cells = [
-          asText(format({ value: m.value }, '17')),
+          asText(format({ value: m.value, text: m.value.toPrecision(17) }, '17')),
           asText(format({ value: m.ulps }, '2')),
           asText(format({ value: m.relative }, 'e2')),
           ...(recorded.length ? [time ? asTime(time.seconds) : '', time ? short(time.ratio, '3') : ''] : []),
