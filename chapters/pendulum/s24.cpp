@@ -4,20 +4,21 @@
 
 SECTION(pendulum, 24, "The third column: three integrals")
 
-using pendulum::root_of, pendulum::V, pendulum::W;
+using exact::integrate, exact::ln2, pendulum::root_of, pendulum::V, pendulum::W;
 
 /*!
 ## What Euler does
 
-The series $V$ of {{sec pendulum.23}} has the right factors above; multiplied by $\frac{dv}{v}$ and integrated
-it gets the missing ones below as well,
+The sum of the third column is an integral, which falls into three parts. The series of {{sec pendulum.23}},
+whose left side he calls $V$, has the right factors above; multiplied by $\frac{dv}{v}$ and integrated it gets
+the missing ones below as well,
 
 $$ \begin{aligned} \int\frac{V\,dv}{v} = \frac1{2^2}\,lv &+ \frac{1\cdot3^2}{2^2\cdot4^2}vv
    + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2}v^4 \\
-   &+ \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}v^6 + \text{etc.} \end{aligned} \tag{1} $$
+   &+ \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}v^6 + \text{etc.}, \end{aligned} \tag{1} $$
 
-So the sum of the third column is $\int\frac{V\,dv}{v} - \frac14\,lv$, with 1 put for $v$. It remains to
-integrate the three parts of which $V$ consists. The first gives
+so that the sum is $\int\frac{V\,dv}{v} - \frac14\,lv$ for $v = 1$. It remains to integrate the three parts of
+$V$. The first gives
 
 $$ \int -\frac{dv}{v^3}\,(1 + l2) = \frac{1+l2}{2vv}, \tag{2} $$
 
@@ -26,90 +27,82 @@ and the second
 $$ \int\frac{dv}{v^3\sqrt{1-vv}} = -\frac{\sqrt{1-vv}}{2vv} - \tfrac12\,l\left(1+\sqrt{1-vv}\right) +
      \tfrac12\,lv. \tag{3} $$
 
-The third he reduces by the well-known rule for a product, and since the differential of $l(1+\sqrt{1-vv})$ is
-$-\frac{dv}{v}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}$,
+The third he reduces by a well-known rule,
 
 $$ \begin{aligned} \int\frac{dv}{v^3}\,l\left(1+\sqrt{1-vv}\right)
    = &-\frac{1}{2vv}\,l\left(1+\sqrt{1-vv}\right) \\
    &- \tfrac12\int\frac{dv}{v^3}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}. \end{aligned} \tag{4} $$
+
+::: margin
+The rule is integration by parts. The differential of the logarithm is
+$-\frac{dv}{v}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}$.
+:::
 
 The last integral is {{eq 3}} less that of $\frac{dv}{v^3}$. Therefore the third part is
 
 $$ \begin{aligned} -\frac1{2vv}\,l\left(1+\sqrt{1-vv}\right) &+ \frac{\sqrt{1-vv}}{4vv} \\
    &+ \tfrac14\,l\left(1+\sqrt{1-vv}\right) - \tfrac14\,lv - \frac1{4vv}, \end{aligned} \tag{5} $$
 
-and all parts together, with a constant that is still open,
+and all parts together, with a constant still to be found,
 
 $$ \begin{aligned} \tfrac14\,lv + \frac{1+2l2}{4vv} &- \frac{\sqrt{1-vv}}{4vv} \\
    &- \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right) + C. \end{aligned} \tag{6} $$
 
-::: margin
-The sum is wanted for $v = 1$ only, but for every other $v$ the same function gives the time of a descent that
-is *not* complete, with $v = \sin\alpha/\sin\omega$: see {{sec pendulum.15}}.
-:::
-
 ## The program
 
-The three integrals, and their sum, as they are written. The same code serves doubles and fifty digits.
+The three integrals and their sum, as they are written.
 */
 
-template <class Real>
-Real part_1(Real v)  // (2)
+Fifty part_1(const Fifty& v)  // (2)
 {
-  using std::log;
-  return (1 + log(Real(2))) / (2 * v * v);
+  return (1 + ln2()) / (2 * v * v);
 }
 
-template <class Real>
-Real part_2(Real v)  // (3)
+Fifty part_2(const Fifty& v)  // (3)
 {
-  using std::log;
-  const Real root = root_of(v);
+  const Fifty root = root_of(v);
   return -root / (2 * v * v) - log(1 + root) / 2 + log(v) / 2;
 }
 
-template <class Real>
-Real part_3(Real v)  // (5)
+Fifty part_3(const Fifty& v)  // (5)
 {
-  using std::log;
-  const Real root = root_of(v);
-  return (root - 1 - 2 * log(1 + root)) / (4 * v * v) + (log(1 + root) - log(v)) / 4;
+  const Fifty vv = v * v, root = root_of(v);
+  return -log(1 + root) / (2 * vv) + root / (4 * vv) + log(1 + root) / 4 - log(v) / 4 - 1 / (4 * vv);
 }
 
-template <class Real>
-Real collected(Real v)  // (6) without C and without ¼ lv
+Fifty all_parts(const Fifty& v)  // (6), without C
 {
-  using std::log;
-  const Real vv = v * v;
-  const Real root = root_of(v);
-  return (1 + 2 * log(Real(2)) - root) / (4 * vv) - (Real(0.25) + 1 / (2 * vv)) * log(1 + root);
+  const Fifty vv = v * v, root = root_of(v);
+  return log(v) / 4 + (1 + 2 * ln2()) / (4 * vv) - root / (4 * vv)
+         - (Fifty(0.25) + 1 / (2 * vv)) * log(1 + root);
 }
 
 /*!
-What they should come to is the function $W(v) = \int\frac{V\,dv}{v} - \frac14lv$ that vanishes at $v = 0$, as
-the series {{eq 1}} does without its logarithm. How the program has it without loss of digits is told in
+What they should come to is the series {{eq 1}} without its logarithm, the function $W(v) =
+\int\frac{V\,dv}{v} - \frac14lv$ that vanishes at $v = 0$. How $W$ is had without loss of digits is told in
 {{sec pendulum.25}}.
 */
 
-const auto v = real("v", 1.0, none, above_to(1e-150, 1), "the variable; Euler puts 1 in the end");
+const auto v = real("v", 1.0, none, above_to(1e-10, 1), "the variable; Euler puts 1 in the end");
 
 TELL
 {
-  tell("part_1", part_1<double>(v), "the first part integrated, (2)");
-  tell("part_2", part_2<double>(v), "the second, (3)");
-  tell("part_3", part_3<double>(v), "the third, (5)");
-  tell("collected", collected<double>(v), "all together, less ¼ lv, C being 0");
-  tell("W", W<double>(v), "the sum of the series: at v = 1 that of the third column");
-  tell("C", W<double>(v) - collected<double>(v), "so C must be");
+  const Fifty at(v);
+  tell("part_1", part_1(at), "the first part integrated, (2)");
+  tell("part_2", part_2(at), "the second, (3)");
+  tell("part_3", part_3(at), "the third, (5)");
+  tell("W", W(at), "the sum of the series: at v = 1 that of the third column");
+  tell("C", W(at) - (all_parts(at) - log(at) / 4), "so C must be");
 }
 
 TELL
 {
   curve("integrand", {"v", "integrand"}, [](Curve& c) {
-    for(double x = 0.005; x < 0.999; x += 0.005)
-      c.put({x, (V(x) - 0.25) / x});
-    for(double u = 0.04; u > 0.005; u -= 0.005)
-      c.put({1 - u * u / 2, V(1 - u * u / 2, u) - 0.25});
+    for(double u = 1; u > 0.005; u -= 0.005)  // the root
+    {
+      const double x = std::sqrt((1 - u) * (1 + u));
+      c.put({x, x > 0 ? (V(x, u) - 0.25) / x : 0});
+    }
   });
 }
 
@@ -122,10 +115,13 @@ The sum of the third column as an area: under the curve $\frac{1}{v}\left(V - \f
 {{W|6}}. At the end the curve goes to infinity, but no faster than $1/\sqrt{1-vv}$, and the area is finite.
 :::
 
+The sum is wanted for $v = 1$ only. For other $v$ the same function gives the time of a descent that is *not*
+complete, with $v = \sin\alpha/\sin\omega$; {{sec pendulum.15}} makes use of it.
+
 ## Checks
 
-The series first. Every term of {{eq 1}} is the entry of the array that it should be, and the area in the
-figure is the sum.
+The series first; its sum is the area in the figure, here with the root as the variable, so that nothing is
+infinite.
 */
 
 CHECK_THAT("(1) without its logarithm has the entries of the third column as coefficients")
@@ -139,111 +135,105 @@ CHECK_THAT("(1) without its logarithm has the entries of the third column as coe
 
 CHECK_THAT("the area under (V − ¼)/v is W")
 {
-  for(const double x : {0.3, 0.6, 1.0})
+  const auto by_root = [](const Fifty& u) {
+    const Fifty vv = (1 - u) * (1 + u);
+    return (V(sqrt(vv), u) - 0.25) * u / vv;
+  };
+  for(const Fifty& x : {Fifty(0.3), Fifty(0.6), Fifty(1)})
+    CHECK(W(x)
+          == within_relative(integrate(by_root, root_of(x), 1).value, 1e-40, "the quadrature's bound"));
+}
+
+/*!
+Then the integrals, each from $a$ to $b$, against quadrature.
+*/
+
+CHECK_THAT("each part is the integral that it is said to be")
+{
+  const auto check = [](Fifty (*part)(const Fifty&), const std::function<Fifty(const Fifty&)>& integrand) {
+    for(const auto& [a, b] : {std::pair(0.1, 0.6), std::pair(0.6, 0.9)})
+      CHECK(part(b) - part(a)
+            == within_relative(integrate(integrand, a, b).value, 1e-44, "parts of 10³ cancel"));
+  };
+  check(part_1, [](const Fifty& y) { return -(1 + ln2()) / pow(y, 3); });
+  check(part_2, [](const Fifty& y) { return 1 / (pow(y, 3) * root_of(y)); });
+  check(part_3, [](const Fifty& y) { return log(1 + root_of(y)) / pow(y, 3); });
+  check(all_parts, [](const Fifty& y) { return V(y) / y; });
+}
+
+CHECK_THAT("(6) is the sum of the parts, and W but for one and the same constant")
+{
+  const Fifty C = W(Fifty(1)) - all_parts(1);
+  for(const Fifty& x : {Fifty(0.01), Fifty(0.1), Fifty(0.6), Fifty(1)})
   {
-    const Fifty end(x);
-    const Fifty area = exact::integrate_from_ends([&](const Fifty& y, const Fifty& to_end) {
-      const Fifty root = sqrt((end < 1 ? 1 - y : (to_end > 0 ? to_end : 1 - y)) * (1 + y));
-      return y < Fifty("1e-9") ? Fifty(9) / 32 * y : (V(y, root) - Fifty(0.25)) / y;
-    }, 0, end, Fifty("1e-25")).value;
-    CHECK(W(end) == within_relative(area, 1e-23, "the quadrature; below 10⁻⁹ only the first term is kept"));
+    CHECK(all_parts(x) == within(part_1(x) + part_2(x) + part_3(x), 1e-44, "parts of 10⁴"));
+    CHECK(W(x) == within(all_parts(x) - log(x) / 4 + C, 1e-44, "the same"));
   }
 }
 
 /*!
-Then the integrals: the slope of each, taken from values $10^{-12}$ apart, must be what was integrated.
+The scan is at its worst here: it repeats the damage of {{sec pendulum.23}} in the three parts of $V$, and
+adds wrong powers and signs and a lost member. The readings are tried by quadrature from $v = 0{,}3$ to
+$0{,}6$.
 */
 
-Fifty slope(Fifty (*f)(Fifty), double at)
+double rise(Fifty (*f)(const Fifty&))
 {
-  const Fifty h("1e-12");
-  return (f(Fifty(at) + h) - f(Fifty(at) - h)) / (2 * h);
+  return static_cast<double>(f(0.6) - f(0.3));
 }
 
-CHECK_THAT("each part has the slope that it should have")
+Fifty area(const std::function<Fifty(const Fifty&)>& integrand)
 {
-  for(const double x : {0.1, 0.3, 0.6, 0.9})
-  {
-    const Fifty y(x);
-    const Fifty cube = pow(y, 3);
-    const Fifty root = root_of(y);
-    const char* const why = "the third derivative, at most 10³ times the first, times hh/6";
-    CHECK(slope(part_1, x) == within_relative(-(1 + exact::ln2()) / cube, 1e-20, why));
-    CHECK(slope(part_2, x) == within_relative(1 / (cube * root), 1e-20, why));
-    CHECK(slope(part_3, x) == within_relative(log(1 + root) / cube, 1e-20, why));
-    CHECK(slope(collected, x) == within_relative((V(y) - Fifty(0.25)) / y, 1e-18,
-          "the same; the parts nearly cancel"));
-  }
+  return integrate(integrand, 0.3, 0.6).value;
 }
 
-CHECK_THAT("collected they are W, but for one and the same constant")
-{
-  for(const double x : {0.01, 0.1, 0.3, 0.6, 0.9})
-  {
-    const Fifty constant = W(Fifty(x)) - collected(Fifty(x));
-    CHECK(constant == within(W(Fifty(1)) - collected(Fifty(1)), 1e-43, "parts of 10⁴ cancel"));
-  }
-}
-
-/*!
-The scan is at its worst here: powers, signs, a whole member lost. Each reading is tried at $v = 0{,}6$, the
-differentials by the slopes of what stands on the right, and the sums by their value.
-*/
-
-const double L = std::log(1.8);  // l(1+√(1−vv))
-
-template <class Part>
-bool is_slope(double reading, Part part)
-{
-  return reading == within_relative(slope(part, 0.6), 1e-14, "few roundings");
-}
+const auto is_third = [](double rise) {
+  return rise
+         == within_ulps(area([](const Fifty& y) { return log(1 + root_of(y)) / pow(y, 3); }), 2,
+                        "roundings");
+};
 
 const Emendation factor{
-    "§24, (1), third term", {"2·3·5²/(2·4²·6²)", 150.0 / 1152}, {"1·3·5²/(2·4²·6²)", 75.0 / 1152},
-    "§23 has it",
-    [](double coefficient) {
-      return coefficient == within_ulps(static_cast<Fifty>(pendulum::entry(3, 1)), 1, "one division");
+    "§24, (1), third term",
+    {"2·3·5²/(2·4²·6²)", 2},
+    {"1·3·5²/(2·4²·6²)", 1},
+    "it is an entry of the array",
+    [](double first) { return Rational::exactly(first) * 75 / 1152 == pendulum::entry(3, 1); }};
+
+const Emendation cubes{
+    "§24, under the integrals of (2), of (3) in both its places, and on the right of (4)",
+    {"v²", 2},
+    {"v³", 3},
+    "only the cubes give what stands on the right, here of (3)",
+    [](double p) {
+      const Fifty second = area([p](const Fifty& y) { return 1 / (pow(y, Fifty(p)) * root_of(y)); });
+      return rise(part_2) == within_ulps(second, 2, "roundings");
     }};
 
-const Emendation first_cube{
-    "§24, (2)", {"−dv/v² (1 + l 2)", -(1 + std::numbers::ln2) / 0.36},
-    {"−dv/v³ (1 + l 2)", -(1 + std::numbers::ln2) / 0.216}, "the first part of V, over v",
-    [](double integrand) { return is_slope(integrand, part_1<Fifty>); }};
-
-const Emendation second_cube{
-    "§24, (3), on both its places", {"dv/(v²√(1−vv))", 1 / (0.36 * 0.8)},
-    {"dv/(v³√(1−vv))", 1 / (0.216 * 0.8)},
-    "the second part of V, over v", [](double integrand) { return is_slope(integrand, part_2<Fifty>); }};
-
-const Emendation differential{
-    "§24, (4), left side", {"ddv/v³ l(1+√(1−vv)), nothing if dv is constant", 0.0},
-    {"dv/v³ l(1+√(1−vv))", L / 0.216}, "the third part of V, over v",
-    [](double integrand) { return is_slope(integrand, part_3<Fifty>); }};
-
-const Emendation third_cube{
-    "§24, (4), the integral that is left", {"dv/v² (1−√(1−vv))/√(1−vv)", 0.25 / 0.36},
-    {"dv/v³ (1−√(1−vv))/√(1−vv)", 0.25 / 0.216}, "the left side has the cube",
-    [](double left) { return is_slope(L / 0.216 + 0.25 / 0.216 / 2 - left / 2, part_3<Fifty>); }};
-
-bool is_part_3(double reading)
-{
-  return reading == within_relative(part_3(Fifty(0.6)), 1e-14, "few roundings");
-}
-
-const double rest_of_3 = 0.8 / 1.44 + L / 4 - std::log(0.6) / 4 - 1 / 1.44;
+const Emendation differential{"§24, (4), left side",
+                              {"ddv/v³ l(1+√(1−vv)), nothing if dv is constant", 0},
+                              {"dv/v³ l(1+√(1−vv))", [] { return rise(part_3); }},
+                              "it is the third part of V, over v",
+                              is_third};
 
 const Emendation minus{
-    "§24, (5)", {"1/(2vv) l(1+√(1−vv))", L / 0.72 + rest_of_3},
-    {"−1/(2vv) l(1+√(1−vv))", -L / 0.72 + rest_of_3},
-    "it comes from (4) with its minus", is_part_3};
-
-const double rest_of_all = -0.8 / 1.44 - (0.25 + 1 / 0.72) * L;
+    "§24, (5)",
+    {"1/(2vv) l(1+√(1−vv))",
+     [] { return rise([](const Fifty& y) { return part_3(y) + log(1 + root_of(y)) / (y * y); }); }},
+    {"−1/(2vv) l(1+√(1−vv))", [] { return rise(part_3); }},
+    "it comes from (4) with its minus",
+    is_third};
 
 const Emendation member{
-    "§24, (6)", {"1/(4vv) lv", std::log(0.6) / 1.44 + rest_of_all},
-    {"¼ lv + (1 + 2 l 2)/(4vv)", std::log(0.6) / 4 + (1 + 2 * std::numbers::ln2) / 1.44 + rest_of_all},
-    "the sum of (2), (3) and (5)",
-    [](double sum) {
-      const Fifty parts = part_1(Fifty(0.6)) + part_2(Fifty(0.6)) + part_3(Fifty(0.6));
-      return sum == within_relative(parts, 1e-14, "few roundings");
+    "§24, (6)",
+    {"1/(4vv) lv",
+     [] {
+       return rise([](const Fifty& y) {
+         return all_parts(y) - log(y) / 4 - (1 + 2 * ln2()) / (4 * y * y) + log(y) / (4 * y * y);
+       });
+     }},
+    {"¼ lv + (1 + 2 l 2)/(4vv)", [] { return rise(all_parts); }},
+    "the whole is the integral of V dv/v",
+    [](double rise) {
+      return rise == within_ulps(area([](const Fifty& y) { return V(y) / y; }), 2, "roundings");
     }};
