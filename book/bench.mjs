@@ -1,5 +1,5 @@
 // Times everything anew and records it for the book: every section that has a race, and the library against
-// its peers. Usage: node bench.mjs BUILD SPEEDS (the build folder, and book/speeds).
+// its peers. Records of what is gone are removed. Usage: node bench.mjs BUILD SPEEDS (the build folder, and book/speeds).
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -10,6 +10,7 @@ const bin = path.join(build, 'bin');
 const run = (program, ...options) =>
   JSON.parse(execFileSync(path.join(bin, program), options, { encoding: 'utf8' }));
 const { compiler, flags } = JSON.parse(fs.readFileSync(path.join(build, 'book/made-with.json'), 'utf8'));
+const recorded = new Set();
 const record = (name, measured) => {
   const made = {
     machine: `${os.cpus()[0].model.trim()}, one core of ${os.cpus().length}`,
@@ -18,6 +19,7 @@ const record = (name, measured) => {
     ...measured,
   };
   fs.writeFileSync(path.join(speeds, `${name}.json`), `${JSON.stringify(made, null, 1)}\n`);
+  recorded.add(`${name}.json`);
   console.log(`recorded ${name}`);
 };
 const short = ({ name, seconds, ratio }) => ({
@@ -42,3 +44,4 @@ if (fs.existsSync(path.join(bin, 'bench-swing'))) {
   const { scenes } = run('bench-swing', '--json');
   record('swing', { scenes });
 }
+for (const old of fs.readdirSync(speeds)) if (!recorded.has(old)) fs.rmSync(path.join(speeds, old));
