@@ -66,13 +66,18 @@ Fifty SevenPlaces::number() const
 
 std::string SevenPlaces::text() const
 {
-  return written(units_ < 0 ? units_ + 10 * unit : units_, 7);
+  long long units = units_;
+  while(units < 0)
+    units += 10 * unit;
+  return written(units, 7);
 }
 
 Fifty augmented_logarithm(const Fifty& x)
 {
-  const Fifty logarithm = log(x) / log(Fifty(10));
-  return logarithm < 0 ? logarithm + 10 : logarithm;
+  Fifty logarithm = log(x) / log(Fifty(10));
+  while(logarithm < 0)
+    logarithm += 10;
+  return logarithm;
 }
 
 std::string rounded(const Fifty& x, int places)

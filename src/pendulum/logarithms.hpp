@@ -12,7 +12,7 @@ namespace pendulum
 
 // [SevenPlaces]
 /// A common logarithm as a table of seven places has it, in whole ten-millionths. What is below zero is
-/// written with ten added.
+/// written with ten added, or as many tens as it takes.
 class SevenPlaces
 {
 public:
@@ -39,7 +39,7 @@ private:
 };
 // [SevenPlaces]
 
-/// The common logarithm with ten added when it is negative, unrounded: what a line of the reckoning
+/// The common logarithm, with tens added until it is not negative, unrounded: what a line of the reckoning
 /// should be. Domain: x > 0.
 exact::Fifty augmented_logarithm(const exact::Fifty& x);
 
