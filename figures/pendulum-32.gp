@@ -4,8 +4,9 @@ set xrange [0.5:60]
 set yrange [1e-10:100]
 set xtics (0.5, 1, 2, 5, 10, 20, 60) format "%g°"
 set format y "10^{%T}"
-set xlabel "η"
-set label "first member" at 0.7, 22 textcolor linetype 1
+set xlabel "angle from the top, η"
+set ylabel "size of the member"
+set label "first" at 0.7, 22 textcolor linetype 1
 set label "second" at 0.7, 0.16 textcolor linetype 3
 set label "third" at 1.2, 8e-4 textcolor linetype 4
 set label "left out" at 1.4, 3.5e-7 textcolor linetype 2

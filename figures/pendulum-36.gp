@@ -1,17 +1,16 @@
 load "figures/style.gp"
-set xrange [140:186]
-set xtics 10 format "%g°"
-set yrange [0:7]
-set xlabel "amplitude ζ"
+set logscale x
+set xrange [60:0.1]
+set yrange [0:10]
+set ytics 2
+set xtics (60, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1) format "%g°"
+set xlabel "angle from the top, η"
 set ylabel "T / Θ"
-set arrow 1 from 175, 2.96 to 175, 4.42 nohead linetype 6 dashtype (3, 3)
-set arrow 2 from 179, 3.98 to 179, 6.03 nohead linetype 6 dashtype (3, 3)
-set label "4,52023, printed" at 174, 4.55 right textcolor linetype 2
-set label "6,12777, restored" at 178, 6.15 right textcolor linetype 2
-set label "2.87766" at 174, 3.05 right textcolor linetype 1
-set label "3.90107" at 179.9, 3.85 left textcolor linetype 1
-plot tsv("pendulum-36.swings") using "zeta":"ratio" with lines linetype 1, \
-     "+" using (175):(2.87766) every ::0::0 with points linetype 1 pointsize 0.8, \
-     "+" using (179):(3.90107) every ::0::0 with points linetype 1 pointsize 0.8, \
-     "+" using (175):(4.52023) every ::0::0 with points linetype 2 pointsize 1, \
-     "+" using (179):(6.12777) every ::0::0 with points linetype 2 pointtype 8 pointsize 1
+set label "exact" at 0.2, 4.4 center textcolor linetype 1
+set label "Euler's rule" at 0.32, 8.5 right textcolor linetype 2
+plot tsv("pendulum-36.swings") using "eta":"exact" with lines linetype 1, \
+     "" using "eta":"euler" with lines linetype 2, \
+     tsv("pendulum-36.examples") using "eta":"exact" with points linetype 1 pointsize 1, \
+     "" using "eta":"euler" with points linetype 2 pointsize 1, \
+     "" using "eta":"exact":(sprintf("%.5f", column("exact"))) with labels offset 0.8, -0.6 left textcolor linetype 1, \
+     "" using "eta":"euler":(sprintf("%.5f", column("euler"))) with labels offset -1, 0.7 right textcolor linetype 2
