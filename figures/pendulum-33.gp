@@ -2,11 +2,12 @@ load "figures/style.gp"
 set xrange [0:5]
 set yrange [-190:190]
 set ytics 90 format "%g°"
-set xlabel "seconds"
-set ylabel "angle from the lowest point"
-set arrow 1 from 4.52023, -175 to 4.52023, 175 nohead linetype 2 dashtype (6, 4)
-set label "4,52 s, Euler" at 4.47, -100 right textcolor linetype 2
-set arrow 2 from 2.87766, -175 to 2.87766, 175 nohead linetype 6
-set label "2,88 s" at 2.93, -100 left textcolor linetype 1
-plot 175 with lines linetype 6 dashtype (2, 4), -175 with lines linetype 6 dashtype (2, 4), \
+set xlabel "time (seconds)"
+set ylabel "angle from the lowest point" offset 0, 0
+set label "end of the swing" at 2.8, -120 right textcolor linetype 1
+set label "Euler's end" at 4.46, -160 right textcolor linetype 2
+plot tsv("pendulum-33.ends") using "exact":(-column("turn")):(0):(2 * column("turn")) with vectors nohead linetype 6, \
+     "" using "euler":(-column("turn")):(0):(2 * column("turn")) with vectors nohead linetype 2 dashtype (6, 4), \
+     "" using "exact":(-120):(sprintf("  %.2f s", column("exact"))) with labels left textcolor linetype 1, \
+     "" using "euler":(-160):(sprintf("  %.2f s", column("euler"))) with labels left textcolor linetype 2, \
      tsv("pendulum-33.swing") using "seconds":"angle" with lines linetype 1 linewidth 2
