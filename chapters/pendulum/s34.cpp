@@ -1,6 +1,5 @@
 #include "edition/section.hpp"
 #include "pendulum/reckoning.hpp"
-#include "pendulum/series.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 34, "Second example, one degree from the top: the logarithms")
@@ -10,85 +9,95 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-Now the pendulum is let go only one degree from the top: $bAg = 1°$, so that its arc is short of the circle
-by two degrees. Here $\eta = 1°$ and $\alpha = 30'$, and the table gives
+In the second example the pendulum is let go one degree from the top and rises again to the same height. So
+$bAg = \eta = 1°$ and $\alpha = 30'$. The table gives
 
 $$ l\cos 30' = 9{,}9999835, \qquad l\sin\alpha = 7{,}9408419, \tag{1} $$
 
+and from this follow the powers
+
 $$ l\sin^2\alpha = 5{,}8816838, \qquad l\sin^4\alpha = 1{,}7633676. \tag{2} $$
 
-With them the series that multiplies the logarithm is
+With them the series that multiplies $l\cot\tfrac12\alpha$ is
 
 $$ 1 + \tfrac14\sin^2\alpha + \tfrac{9}{64}\sin^4\alpha + \text{etc.} = 1{,}00001904. \tag{3} $$
 
 ::: margin
-The sixth power is no longer worth its line: its term is below $10^{-13}$.
+The sixth power, which he still had for 5°, is gone. Eight decimals do not even need the fourth.
 :::
 
-Unlike its fellow in {{sec pendulum.30}}, this sum is right to its last digit.
+Unlike the sum in {{sec pendulum.30}}, this one is right to its last digit.
 
 ## The program
 
-It is the reckoning of {{sec pendulum.30}} with another angle, and two terms in place of three.
+It is the reckoning of {{sec pendulum.30}} with another angle and one power less.
 */
 
-const auto swing_ = amplitude_from_top(1_deg, closed(90_deg, 179.9_deg));
-
-Fifty factor_by_the_table(const Fifty& alpha)  // (3)
+Fifty sum_by_the_table(SevenPlaces sine)  // (3)
 {
-  const SevenPlaces sine = SevenPlaces::of(sin(alpha));
-  return 1 + Fifty(0.25) * (2 * sine).number() + Fifty(9) / 64 * (4 * sine).number();
+  return 1 + (2 * sine).number() / 4 + 9 * (4 * sine).number() / 64;
 }
 
 std::vector<Line> reckoning(const Fifty& alpha)  // (1), (2), (3)
 {
   const SevenPlaces sine = SevenPlaces::of(sin(alpha));
-  const auto true_power = [&](int n) { return augmented_logarithm(pow(sin(alpha), n)); };
+  const auto power = [&](int n) { return augmented_logarithm(pow(sin(alpha), n)); };
   return {{"l cos α", "9,9999835", SevenPlaces::of(cos(alpha)).text(), augmented_logarithm(cos(alpha))},
-          {"l sin α", "7,9408419", sine.text(), true_power(1)},
-          {"l sin²α", "5,8816838", (2 * sine).text(), true_power(2)},
-          {"l sin⁴α", "1,7633676", (4 * sine).text(), true_power(4)},
-          {"series (3)", "1,00001904", rounded(factor_by_the_table(alpha), 8),
+          {"l sin α", "7,9408419", sine.text(), power(1)},
+          {"l sin²α", "5,8816838", (2 * sine).text(), power(2)},
+          {"l sin⁴α", "1,7633676", (4 * sine).text(), power(4)},
+          {"series (3)", "1,00001904", rounded(sum_by_the_table(sine), 8),
            ratio_by_mean(exact::pi() - 2 * alpha)}};
 }
 
 /*!
-How many terms of {{eq 3}} are needed at all? That depends on how far from the top the descent begins; the
-program counts those that it takes to leave less than half a unit of the eighth decimal.
+How many terms of {{eq 3}} do eight decimals take? The series is that of a swing of amplitude η, so the
+program knows its sum, and counts the terms until less than half a unit of the eighth decimal is missing.
 */
 
 int terms_needed(double eta)
 {
-  const double excess = swing::ratio_excess(swing::Amplitude::from_zeta(eta));  // the sum less 1
-  const double m = std::pow(std::sin(eta / 2), 2);
   int terms = 1;
-  while(excess - (series(m, terms) - 1) > 0.5e-8)
+  while(swing::ratio_from_bottom(eta) - series(std::pow(std::sin(eta / 2), 2), terms) > 0.5e-8)
     ++terms;
   return terms;
 }
 
+const auto swing_ = amplitude_from_top(1_deg, closed(90_deg, 179.9_deg));
+
 TELL
 {
-  const Fifty alpha = swing_.eta.fifty() / 2;
-  tell_lines("lines", "the reckoning, line by line", reckoning(alpha), swing_.eta == 1_deg);
-  tell("factor", ratio_by_mean(exact::pi() - 2 * alpha), "the whole series (3), exactly");
-  tell("terms_needed", terms_needed(swing_.eta), "terms of (3) for eight decimals, the first among them");
-  tell("arc", 2 * swing_.zeta, degrees, "the whole arc of the swing");
+  tell_lines("lines", "the reckoning, line by line", reckoning(swing_.eta.fifty() / 2),
+             swing_.eta == 1_deg);
+  tell("factor", swing::ratio_from_bottom(swing_.eta), "the sum of the whole series (3)");
+  tell("terms_needed", terms_needed(swing_.eta), "terms of (3) for eight decimals, the 1 among them");
+  double eta = 1_deg;
+  while(terms_needed(eta) <= 4)
+    eta += 0.1_deg;
+  tell("four_serve", eta, degrees, "the η at which four terms no longer give eight decimals");
+}
+
+TELL
+{
   curve("terms", {"eta", "terms"}, [](Curve& c) {
     for(double eta = 0.05; eta < 60; eta *= 1.01)
-      c.put({eta, static_cast<double>(terms_needed(eta * 1_deg))});
+      c.put({eta, double(terms_needed(eta * 1_deg))});
+  });
+  curve("examples", {"eta", "terms"}, [](Curve& c) {
+    for(const double eta : {1.0, 5.0})
+      c.put({eta, double(terms_needed(eta * 1_deg))});
   });
 }
 
 /*!
-For this angle {{terms_needed}} terms do; the arc is {{arc|5}}°, and {{factor|11}} is the sum.
+For this angle {{terms_needed}} terms are enough.
 
 ::: figure pendulum-34
-alt: A staircase: the number of terms needed for eight decimals against eta on a logarithmic scale, from one
-or two below one degree to a dozen at 60 degrees.
+alt: A staircase: the number of terms needed for eight decimals against eta on a logarithmic scale, two at one
+degree, three at five degrees, a dozen at 60 degrees.
 
-How many terms of {{eq 3}} give eight decimals. Euler's "three or four" of {{sec pendulum.29}} serve up to
-about ten degrees.
+How many terms of {{eq 3}} give eight decimals. Euler's "three or four" ({{sec pendulum.29}}) serve up to
+about {{four_serve|deg0}}.
 :::
 
 ## Checks
@@ -97,26 +106,25 @@ about ten degrees.
 CHECK_THAT("every printed line is what a table of seven places and honest doubling give")
 {
   for(const Line& line : reckoning(exact::pi() / 360))
-    CHECK(line.printed == line.reckoned);
+    CHECK(line.reckoned == line.printed);
 }
 
-CHECK_THAT("the sum of the series is right to its eighth decimal")
+CHECK_THAT("the looked-up logarithms and the sum of the series are right to their last digits")
 {
-  CHECK(ratio_by_mean(exact::pi() - exact::pi() / 180) == printed("1,00001904"));
-  CHECK(factor_by_the_table(exact::pi() / 360)
-        == within(ratio_by_mean(exact::pi() - exact::pi() / 180), 1e-11, "l sin²α to 7 places"));
+  const std::vector<Line> lines = reckoning(exact::pi() / 360);
+  for(const std::size_t i : {0u, 1u, 4u})
+    CHECK(lines[i].truth == printed(lines[i].printed));
+  CHECK(sum_by_the_table(SevenPlaces::as_written("7,9408419"))
+        == within(lines.back().truth, 4.4e-12, "half a unit in l sin α, a unit in l sin²α"));
 }
 
 /*!
-In the scan the second of {{eq 2}} has lost its exponent and the sign of the logarithm. Four times the
-printed logarithm of the sine, less thirty, leaves no doubt.
+In the scan the second of {{eq 2}} is without the sign of the logarithm, and its exponent is 2.
 */
 
-const Emendation fourth_power{"§34, the second power",
-                              {"sin²α = 1,7633676", 2},
-                              {"l sin⁴α = 1,7633676", 4},
-                              "it is four times l sin α, tens dropped",
-                              [](double power) {
-                                const SevenPlaces sine = SevenPlaces::as_written("7,9408419");
-                                return (static_cast<int>(power) * sine).text() == "1,7633676";
-                              }};
+const Emendation fourth_power{
+    "§34, the second power",
+    {"sin²α = 1,7633676", 2},
+    {"l sin⁴α = 1,7633676", 4},
+    "it is four times l sin α, less thirty",
+    [](double n) { return (int(n) * SevenPlaces::as_written("7,9408419")).text() == "1,7633676"; }};
