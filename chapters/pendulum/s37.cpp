@@ -1,43 +1,44 @@
 #include "edition/section.hpp"
 #include "pendulum/columns.hpp"
-#include "pendulum/series.hpp"
 #include "pendulum/three_members.hpp"
 #include "swing/time.hpp"
 
-SECTION(pendulum, 37, "Where each method stops being the best one")
+SECTION(pendulum, 37, "How far each of his two methods reaches")
 
 using namespace pendulum;
 
 /*!
 ## What Euler does
 
-The closer the swing comes to the whole circle, the longer it lasts and the less it costs to compute: a
-small $\alpha$ makes the members of {{eq pendulum.29 2}} fall off at once. With a greater $\alpha$ the
-labour grows, and when the terms with the higher powers of $\sin\alpha$ can no longer be neglected the
-method fails altogether, since the sums of the fourth and later columns would need reckoning too intricate,
-and no device of analysis is known that would help.
+The nearer the swing comes to the whole circle, the longer it lasts and the less work it is to compute; for
+smaller swings, where the work grows, Euler goes back to the series of the dissertation. When $\alpha$ is so
+great that the terms with $\sin^6\alpha$ can no longer be neglected, the new method cannot even give the time
+exactly. For the sums of the fourth and later columns would demand all too intricate calculations, and no
+device of analysis has been found that would lighten the labour.
 
-But then, he says, the dissertation's own series does the business much better. For then
-$\zeta = 180° - \eta$ is such that $c = \sin\tfrac12\zeta = \cos\tfrac12\eta$ is notably less than 1, and
+In such cases, he says, the series of {{sec pendulum.09}} does the business much more easily. For then $\zeta
+= 180° - \eta$ is such that $c = \sin\tfrac12\zeta = \cos\tfrac12\eta$ falls notably short of 1. So the series
 
-$$ \frac{T}{\Theta} = 1 + \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6
+$$ 1 + \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6
    + \text{etc.} \tag{1} $$
 
-converges well enough for its sum to be had by adding up several terms.
+converges fast enough for its sum to be had, exactly enough, by adding up several terms; and this multiplied
+by Θ gives the time of one swing.
 
 ::: margin
-In one phrase: an expansion about $k = 1$ for the wide swings, one about $k = 0$ for the others, and the
-hope that they overlap.
+Today: the one is an expansion of $K(k)$ about $k = 1$, the other about $k = 0$.
 :::
 
-Is that so? The claim has two ends, and both can be measured: up to which η do the three members serve, and
-how many terms of {{eq 1}} does it take from there on?
+So it does, and it contradicts the members of {{eq pendulum.29 2}}, which are likewise to be multiplied by Θ.
+One arc worked out in both ways would have brought the forgotten $2/\pi$ to light.
+
+Do the two methods meet? Both ends can be measured: up to which η the three members serve, and how many terms
+of {{eq 1}} it takes from there on.
 
 ## The program
 
-To five decimals of $K$, as in his examples, the three members serve while what they leave out is less than
-half a unit of the fifth. One bisection finds the angle; another, with the fourth column added, how much
-that column would have given him.
+As in the examples, five decimals of $K$ are wanted. The logarithmic column and the first few of the others
+leave something out, and so does his series. In both cases it grows steadily, with η or with ζ.
 */
 
 double left_out(double eta, int columns)  // of K, by the logarithmic column and so many of the others
@@ -45,7 +46,19 @@ double left_out(double eta, int columns)  // of K, by the logarithmic column and
   return swing::quarter_time_from_top(eta) - sum_by_columns(eta / 2, columns);
 }
 
-double reach(int columns)  // the η at which half a unit of the fifth decimal is left out
+double left_out_by_series(double eta, int terms)  // (1)
+{
+  return swing::quarter_time_from_top(eta)
+         - std::numbers::pi / 2 * series(std::pow(std::cos(eta / 2), 2), terms);
+}
+
+/*!
+The three members serve while they leave out less than half a unit of the fifth decimal. With two columns
+beside the logarithmic one the bisection finds their limit, with three what the fourth column would have
+added.
+*/
+
+double reach(int columns)
 {
   double low = 1_deg, high = 80_deg;
   while(high - low > 1e-12)
@@ -53,175 +66,107 @@ double reach(int columns)  // the η at which half a unit of the fifth decimal i
   return low;
 }
 
-/*!
-The other end: terms of {{eq 1}} until no more than half a unit of the fifth decimal of $K$ is missing; and
-the same count for what is known today, a series after one step of the arithmetic-geometric mean, and the
-steps of that mean alone.
-*/
-
-template <class Sum>
-int terms_until(double exact, double tolerance, Sum sum)  // the least n with sum(n) within the tolerance
+int terms_needed(double eta)
 {
-  int n = 1;
-  for(int step = 1; std::abs(exact - sum(n)) > tolerance; n += step)
-    step = n < 200 ? 1 : n / 100;
-  return n;
+  int terms = 1, too_few = 0;
+  for(; left_out_by_series(eta, terms) > 0.5e-5; terms *= 2)
+    too_few = terms;
+  while(terms - too_few > 1)
+    (left_out_by_series(eta, (terms + too_few) / 2) > 0.5e-5 ? too_few : terms) = (terms + too_few) / 2;
+  return terms;
 }
 
-int terms_of_his_series(double eta, double tolerance)  // (1)
-{
-  const double cc = std::pow(std::cos(eta / 2), 2);
-  double sum = 0, term = 1;
-  const double enough = swing::ratio_from_top(eta) - tolerance;
-  for(int n = 0;; ++n)
-  {
-    sum += term;
-    if(sum > enough)
-      return n + 1;
-    term *= std::pow((2 * n + 1.0) / (2 * n + 2), 2) * cc;
-  }
-}
-
-double after_one_step(double eta, int terms)
-{
-  const double quarter = (std::numbers::pi - eta) / 4;  // ¼ζ
-  return series(std::pow(std::tan(quarter), 4), terms) / std::pow(std::cos(quarter), 2);
-}
+const auto swing_ = amplitude_from_top(30_deg, closed(1_deg, 179.5_deg));
 
 TELL
 {
-  const double eta = reach(2);
-  tell("three_reach", eta, degrees, "η up to which the three members give K to five decimals");
+  tell("three_reach", reach(2), degrees, "η up to which the three members give K to five decimals");
   tell("four_reach", reach(3), degrees, "the same with the fourth column");
-  const double unit = 0.5e-5 * 2 / std::numbers::pi;
-  tell("terms_there", terms_of_his_series(eta, unit), "terms of (1) for the same accuracy at that η");
-  tell("terms_150", terms_of_his_series(30_deg, unit), "terms of (1) at ζ = 150°");
-  tell("terms_120", terms_of_his_series(60_deg, unit), "terms of (1) at ζ = 120°");
-  tell("one_step_there",
-       terms_until(swing::ratio_from_top(eta), unit, [=](int n) { return after_one_step(eta, n); }),
-       "terms at the first of these angles after one step of the mean");
-  tell("columns_there",
-       terms_until(swing::quarter_time_from_top(30_deg), 0.5e-5,
-                   [](int n) { return sum_by_columns(15_deg, n); }),
-       "columns beside the logarithmic one at ζ = 150°");
+  tell("terms_there", terms_needed(reach(2)),
+       "terms of (1) for five decimals where the three members give up");
+  tell("terms_120", terms_needed(60_deg), "the same at ζ = 120°");
+  tell("terms", terms_needed(swing_.eta), "the same at the given ζ");
+  tell("left_out", left_out(swing_.eta, 2), "what the three members leave out of K there");
 }
-
-/*!
-For the picture the count is made at every angle.
-*/
 
 TELL
 {
-  curve("labour", {"eta", "his_series", "one_step", "columns", "mean"}, [](Curve& c) {
-    const double unit = 0.5e-5 * 2 / std::numbers::pi;
+  curve("left_out", {"eta", "three", "four", "s10", "s100", "s1000"}, [](Curve& c) {
     for(double eta = 1; eta < 150; eta *= 1.03)
-    {
-      const double e = eta * 1_deg;
-      const double exact = swing::ratio_from_top(e);
-      double a = 1, g = std::sin(e / 2);
-      int steps = 0;
-      for(; std::abs(1 / a - exact) > unit; ++steps)
-        std::tie(a, g) = std::pair{(a + g) / 2, std::sqrt(a * g)};
-      c.put({eta, double(terms_of_his_series(e, unit)),
-             double(terms_until(exact, unit, [=](int n) { return after_one_step(e, n); })),
-             double(terms_until(exact * std::numbers::pi / 2, 0.5e-5,
-                                [=](int n) { return sum_by_columns(e / 2, n); })),
-             double(steps)});
-    }
+      c.put({eta, left_out(eta * 1_deg, 2), left_out(eta * 1_deg, 3), left_out_by_series(eta * 1_deg, 10),
+             left_out_by_series(eta * 1_deg, 100), left_out_by_series(eta * 1_deg, 1000)});
   });
 }
 
 /*!
-The three members serve up to {{three_reach|f2}}°, with the fourth column they would have served to
-{{four_reach|f1}}°. But where they give up, the series that Euler recommends in their place needs
-{{terms_there}} terms; at 150° it is still {{terms_150}}, at 120° it is {{terms_120}}. Between about seven
-and sixty degrees from the top neither of his methods is fit for work by hand. What would have closed the
-gap is within his reach: all the columns ({{sec pendulum.28}}) need only {{columns_there}} at 150°.
+The three members serve up to {{three_reach|f2}}; with the fourth column they would have served to
+{{four_reach|f1}}. Where they give up, the series that is to take their place needs {{terms_there}} terms. At
+an amplitude of {{zeta}} it still needs {{terms}}, at 120° {{terms_120}}. So there is a wide range in which
+neither of his methods is fit for work by hand. The columns that he did without would have closed the gap
+({{sec pendulum.38}}).
 
 ::: figure pendulum-37
-alt: Number of terms for five decimals against eta, both logarithmic. Euler's series falls from a hundred
-thousand terms at one degree to ten at 120 degrees. The columns rise from two at one degree to fifty at 100
-degrees and cross it near 90 degrees. The series after one step and the mean stay low throughout. A band
-marks the angles between 6.7 and 60 degrees.
+alt: What each method leaves out of K against eta, both logarithmic. The line of the three members rises with
+eta and crosses the level of five decimals near 7 degrees, that with the fourth column near 18 degrees. The
+lines of Euler's series fall: with 1000 terms it crosses the level near 11 degrees, with 100 near 35, with 10
+near 95.
 
-The labour for five decimals. The three members end where the columns need more than two; from there to
-about 60° Euler's series asks for dozens to thousands of terms. One step of the arithmetic-geometric mean
-changes that; the mean itself never needs more than five steps.
+What is left out of $K$. The grey line is half a unit of the fifth decimal. The members serve to the left of
+where they cross it, the series to the right of where it does.
 :::
 
 ## Checks
 */
 
 CHECK_THAT(
-    "at the angle found, what the three members leave out lies inside the bracket of the fourth column")
+    "at the limit found, the three members leave out half a unit of the fifth decimal, by fifty digits")
 {
-  const double eta = reach(2);
-  const double x = std::pow(std::sin(eta / 2), 2);
-  const double S2 = column_sums<double>(3)[2];
-  CHECK(0.5e-5 / (x * x)
-        == between(S2 * std::cos(eta / 2), S2 / std::cos(eta / 2) * 1.003,
-                   "S₂ cos α/(1 − 0,881 x) to S₂/cos α"));
-  CHECK(left_out(eta * 0.999, 2) < 0.5e-5);
-  CHECK(left_out(eta * 1.001, 2) > 0.5e-5);
+  const Fifty eta = reach(2);
+  CHECK(ratio_by_mean(eta) * exact::pi() / 2 - three_members(eta / 2, 200).sum()
+        == within(0.5e-5, 4e-15, "the sum of the columns errs by 4 ulp"));
 }
 
-CHECK_THAT("the count of terms of his series is the least one, by fifty digits")
+CHECK_THAT("one term fewer of his series than the number found is not enough, by fifty digits")
 {
-  const double eta = reach(2);
-  const double unit = 0.5e-5 * 2 / std::numbers::pi;
-  const int terms = terms_of_his_series(eta, unit);
-  const Fifty cc = pow(cos(Fifty(eta) / 2), 2);
-  const Fifty exact = ratio_by_mean(Fifty(eta));
-  CHECK(exact - series(cc, terms) < Fifty(unit));
-  CHECK(exact - series(cc, terms - 1) > Fifty(unit));
+  for(const double eta : {reach(2), 30_deg, 60_deg})
+  {
+    const Fifty cc = pow(cos(Fifty(eta) / 2), 2), unit = Fifty(1e-5) / exact::pi();
+    CHECK(ratio_by_mean(Fifty(eta)) - series(cc, terms_needed(eta)) < unit);
+    CHECK(ratio_by_mean(Fifty(eta)) - series(cc, terms_needed(eta) - 1) > unit);
+  }
 }
-
-const Erratum several_terms{"§37, how many terms of the series",
-                            {"several", 50},
-                            {"some thousands, where the three members give up", 2720},
-                            "at the angle where three members no longer give five decimals",
-                            [](double terms) {
-                              const Fifty eta = reach(2);
-                              return series(pow(cos(eta / 2), 2), static_cast<int>(terms))
-                                     == within(ratio_by_mean(eta), 0.5e-5,
-                                               "half a unit of the fifth decimal");
-                            }};
 
 /*!
-The two expansions do meet, and the swing of 150° can be had by both. It must come to $\sqrt3$ times the
-swing of 30°, which is one of the few relations between swings that need no tables.
+In the end the two expansions do meet. The swing of 150° can be had by both, and it must come to $\sqrt3$
+times the swing of 30°.
 */
 
-CHECK_THAT("both expansions give the swing of 150°, and it is √3 times that of 30°")
+CHECK_THAT("his series and all the columns give the same swing of 150°, √3 times that of 30°")
 {
   const Fifty small = series(pow(sin(exact::pi() / 12), 2), 90);
-  const Fifty by_his_series = series(pow(sin(exact::pi() * 5 / 12), 2), 1600);
-  const Fifty by_columns = 2 / exact::pi() * sum_by_columns(exact::pi() / 12, 95);
-  CHECK(by_his_series == within_relative(sqrt(Fifty(3)) * small, 1e-45, "cc¹⁶⁰⁰ is below 10⁻⁴⁸"));
-  CHECK(by_columns == within_relative(sqrt(Fifty(3)) * small, 1e-45, "sin²ʲα for j = 95 is below 10⁻¹¹⁰"));
+  const Fifty by_series = series(pow(cos(exact::pi() / 12), 2), 1600);
+  const Fifty by_columns = 2 / exact::pi() * sum_by_columns(exact::pi() / 12, 45);
+  CHECK(by_series == within_relative(sqrt(Fifty(3)) * small, 1e-45, "cc¹⁶⁰⁰ is below 10⁻⁴⁸"));
+  CHECK(by_columns == within_relative(sqrt(Fifty(3)) * small, 1e-45, "sin⁹⁰α is below 10⁻⁵²"));
 }
 
 /*!
-The page has lost its head: the number of the section must be supplied. And one reading stays open. The copy
-lets the method fail when the terms with $\sin^6\alpha$ count; since it is the *fourth* column that is
-missing one would rather expect $\sin^4\alpha$. But what is said is true of either power: wherever the one
-or the other counts, the three members are not enough.
+The section has lost its head with the end of {{sec pendulum.36}}, and one reading must stay open. The copy
+lets the method fail when the terms with $\sin^6\alpha$ count. Since it is the fourth column that is missing,
+one would expect $\sin^4\alpha$; but what is said is true of either.
 */
 
-const Emendation heading{"§37, the heading",
-                         {"none, the text runs on from §36", 36},
-                         {"§. 37", 37},
-                         "§36 has ended, and §38 follows",
-                         [](double number) { return number > 36 && number < 38; }};
+const Emendation heading{
+    "§37, the heading", {"none", 36}, {"§. 37", 37}, "§36 has ended, and §38 follows", [](double number) {
+      return number > 36 && number < 38;
+    }};
 
-const Undecided power{"§37, the terms that cannot be neglected",
-                      {"sin⁶α", 6},
-                      {"sin⁴α", 4},
-                      "where either counts in the fifth decimal, the method fails",
-                      [](double exponent) {
-                        const auto S = column_sums<double>(4);
-                        const int column = static_cast<int>(exponent) / 2;
-                        const double s = std::pow(1e-5 / S[static_cast<std::size_t>(column)],
-                                                  1 / exponent);  // sin α at which that column is a unit
-                        return left_out(2 * std::asin(s), 2) > 0.5e-5;
-                      }};
+const Undecided power{
+    "§37, the terms that cannot be neglected",
+    {"sin⁶α", 6},
+    {"sin⁴α", 4},
+    "where the column with either comes to a unit of the fifth decimal, the three members fail",
+    [](double exponent) {
+      const double S = column_sums<double>(4)[std::size_t(exponent) / 2];
+      return 2 * std::asin(std::pow(1e-5 / S, 1 / exponent)) > reach(2);
+    }};

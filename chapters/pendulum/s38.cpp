@@ -1,6 +1,5 @@
 #include "edition/section.hpp"
 #include "pendulum/columns.hpp"
-#include "pendulum/series.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 38, "An invitation, and what came of it")
@@ -10,154 +9,117 @@ using namespace pendulum;
 /*!
 ## What Euler does
 
-He closes by saying why he has given the widest swings so much care: of all who studied the motion of
-pendulums nobody had touched this case. Yet it deserves the greatest attention, since it cannot be solved
-without devices of its own, in the calculation and in the integrations; and the series of the fourth and
-later columns, which he had to pass over here, may give geometers an occasion to carry this fine part of
-analysis further.
+Euler closes by saying why he has treated the widest swings, whose arc is all but the whole circle, with such
+care: of all who studied the motion of pendulums, none had touched this case. Yet it deserves the greatest
+attention, because it cannot be solved without devices of its own, both in the calculation and in the
+integrations. And the summation of the fourth and later columns, which he had to pass over here, may give
+geometers an occasion to carry this fine part of analysis further.
 
-The invitation can be accepted. All his columns have sums, and one line gives them in turn
-({{sec pendulum.28}}): with $S_0 = l2$ and $S_1 = \tfrac34\,l2$,
-
-$$ (j+1)^2 S_{j+1} = \left(2j^2 + 2j + \tfrac34\right) S_j - j^2 S_{j-1} - \frac{j\,a_j^2}{4(j+1)}. \tag{1} $$
-
-With them the method of the supplement is complete, from the top down to a right angle and beyond. What
-remains is to set it beside what was found after him, in agreement over three hundred powers of ten.
-
-::: margin
-$a_j = \frac12\cdot\frac34\cdots\frac{2j-1}{2j}$, as in {{sec pendulum.08}}.
-:::
+The invitation can be accepted. All the columns have sums, and {{eq pendulum.28 3}} gives them, each from the
+two before it. With them the method of the supplement is complete, and the gap of {{sec pendulum.37}} is
+closed.
 
 ## The program
 
-Four ways to one number. The first is Euler's, carried through: the logarithmic column and as many of the
-others as it takes.
+With $x = \sin^2\alpha$, what $J$ columns beside the logarithmic one leave out is less than $S_J
+x^J/\cos\alpha$ ({{eq pendulum.28 5}}), and none of the sums $S_J$ is greater than the first, $l2$. So the
+program knows beforehand how many it needs for all the digits of a double.
 */
 
-double by_all_columns(double eta)  // (1)
+int columns_needed(double eta)
 {
-  int columns = 3;
-  for(double x = std::pow(std::sin(eta / 2), 2), left = x * x * x; left > 1e-17; left *= x)
-    ++columns;
-  return 2 / std::numbers::pi * sum_by_columns(eta / 2, columns);
+  const double x = std::pow(std::sin(eta / 2), 2);
+  const double enough = 1e-16 * swing::quarter_time_from_top(eta);
+  int J = 0;
+  for(double left = std::numbers::ln2 / std::cos(eta / 2); left > enough; left *= x)
+    ++J;
+  return J;
+}
+
+double by_columns(double eta)  // T/Θ
+{
+  return 2 / std::numbers::pi * sum_by_columns(eta / 2, columns_needed(eta));
 }
 
 /*!
-The second collapses the whole array into one column of logarithms.
+His own series of {{sec pendulum.09}} leaves out, after $n$ terms, less than the next term over $1 - cc$.
 */
 
-double by_one_logarithm(double eta)
+int terms_needed(double zeta)
 {
-  int terms = 3;
-  for(double x = std::pow(std::sin(eta / 2), 2), left = x * x * x; left > 1e-17; left *= x)
-    ++terms;
-  return 2 / std::numbers::pi * sum_with_one_logarithm(eta / 2, terms);
+  const double cc = std::pow(std::sin(zeta / 2), 2);
+  const double enough = 1e-16 * (1 - cc) * swing::ratio_from_bottom(zeta);
+  int n = 0;
+  for(double next = 1; next > enough; ++n)
+    next *= std::pow((2 * n + 1.0) / (2 * n + 2), 2) * cc;
+  return n;
 }
 
 /*!
-The third is the arithmetic-geometric mean. The fourth is Jacobi's: with the nome $q'$ of the complementary
-swing, whose series converge at a breathtaking rate,
-
-$$ \frac T\Theta = \frac1\pi\,\ln\frac1{q'}\;\vartheta_3(q')^2, \qquad q' = \varepsilon + 2\varepsilon^5 + 15\varepsilon^9 + \cdots, \quad
-   \varepsilon = \frac{1-\sqrt{c}}{2(1+\sqrt{c})}. \tag{2} $$
-
-Near the top ε is below the smallest double, so that its logarithm has to be carried; and since $1-c$ is
-$2\sin^2\tfrac14\eta$, it is the square of $\sin\tfrac14\eta/(1+\sqrt c)$, in which nothing cancels.
+Together they are a rule for every swing: up to a right angle the one, beyond it the other.
 */
 
-double by_theta(double eta)  // (2)
+double by_both(swing::Amplitude a)  // T/Θ
 {
-  const double root = std::sqrt(std::cos(eta / 2));
-  const double log_epsilon = 2 * (std::log(std::sin(eta / 4)) - std::log1p(root));
-  const double e4 = std::exp(4 * log_epsilon);
-  const double log_nome = log_epsilon + std::log1p(e4 * (2 + e4 * (15 + e4 * (150 + e4 * 1707))));
-  const double nome = std::exp(log_nome);
-  const double theta = 1 + 2 * nome * (1 + std::pow(nome, 3) * (1 + std::pow(nome, 5)));
-  return -log_nome / std::numbers::pi * theta * theta;
+  return a.zeta > a.eta ? by_columns(a.eta) : series(std::pow(a.modulus(), 2), terms_needed(a.zeta));
 }
-
-/*!
-Any distance from the top will do.
-*/
 
 const auto swing_ = amplitude_from_top(1_deg, open(80_deg, 180_deg));
 
 TELL
 {
-  const double eta = swing_.eta;
-  const Fifty exact = ratio_by_mean(swing_.eta.fifty());
-  tell("T_over_Theta", exact, "T/Θ to thirty digits");
-  race("ratio", "T/Θ", exact,
-       {{"all columns", [=] { return by_all_columns(eta); }},
-        {"one column of logarithms", [=] { return by_one_logarithm(eta); }},
-        {"arithmetic-geometric mean", [=] { return ratio_by_mean(eta); }},
-        {"theta function", [=] { return by_theta(eta); }},
-        {"this edition", [=] { return swing::ratio_from_top(eta); }}});
+  tell("T_over_Theta", ratio_by_mean(swing_.eta.fifty()), "T/Θ to thirty digits");
+  tell("columns_1", columns_needed(1_deg), "columns for all digits of a double, at η = 1°");
+  tell("columns_90", columns_needed(90_deg), "the same at 90°");
+  tell("terms_1", terms_needed(179_deg), "terms of the series of §9 for the same, at η = 1°");
+  tell("terms_90", terms_needed(90_deg), "the same at 90°");
 }
-
-/*!
-How they agree with fifty digits, from a right angle to one part in $10^{300}$ of a radian:
-*/
 
 TELL
 {
-  curve("agreement", {"power", "columns", "logarithm", "mean", "theta", "edition"}, [](Curve& c) {
-    for(double power = 0.19; power > -300; power -= power > -20 ? 0.25 : 1.5)
-    {
-      const double eta = std::pow(10, power);
-      const Fifty exact = ratio_by_mean(Fifty(eta));
-      const auto error = [&](double x) { return exact::ulps(x, exact); };
-      c.put({power, error(by_all_columns(eta)), error(by_one_logarithm(eta)), error(ratio_by_mean(eta)),
-             error(by_theta(eta)), error(swing::ratio_from_top(eta))});
-    }
+  const double eta = swing_.eta;
+  race("ratio", "T/Θ", ratio_by_mean(swing_.eta.fifty()),
+       {{"all columns", [=] { return by_columns(eta); }},
+        {"one column of logarithms",
+         [=] { return 2 / std::numbers::pi * sum_with_one_logarithm(eta / 2, columns_needed(eta)); }},
+        {"arithmetic-geometric mean", [=] { return ratio_by_mean(eta); }},
+        {"this edition", [=] { return swing::ratio_from_top(eta); }}});
+}
+
+TELL
+{
+  curve("needed", {"zeta", "columns", "terms"}, [](Curve& c) {
+    for(double zeta = 1; zeta < 179.5; ++zeta)
+      c.put({zeta, zeta < 50 ? std::nan("") : columns_needed((180 - zeta) * 1_deg),
+             zeta > 130 ? std::nan("") : terms_needed(zeta * 1_deg)});
   });
 }
 
 /*!
-::: figure pendulum-38
-alt: Errors of the five ways in units of the last place, against eta from 1.5 radians down to ten to the
-minus 300, on a logarithmic scale. All lie below four ulp; the columns, the mean and the theta function
-wander, the edition's own function stays below one.
+For a swing that falls short of the top by 1°, all digits of a double take {{terms_1}} terms of the series,
+but only {{columns_1}} columns. Series and array meet at a right angle, with {{terms_90}} terms or
+{{columns_90}} columns; no swing asks for more.
 
-The invitation, answered: Euler's columns, the mean, Jacobi's theta function and the edition's own table,
-all within a few units of the last place of the fifty-digit value, from a right angle to $10^{-300}$ of a
-radian.
+::: figure pendulum-38
+alt: How many terms the series and how many columns the array need for sixteen digits, against the amplitude.
+The terms rise from a few to about fifty at 90 degrees and steeply on; the columns fall from there to a few
+near 180 degrees.
+
+The invitation, answered: how many terms of the dissertation's series, or columns of the supplement's array,
+give sixteen digits of the time. For every swing one of them is short.
 :::
 
 ## Checks
 */
 
-CHECK_THAT("the four ways agree with fifty digits from a right angle to the last power of ten")
+CHECK_THAT("by terms or by columns, every swing comes out to a few units of the last place")
 {
-  for(const double eta : {1.5, 1.0, 0.1, 1e-3, 1e-6, 1e-9, 1e-16, 1e-150, 1e-300})
+  for(const double small : {1.57, 1.0, 0.1, 1e-3, 1e-8, 1e-16, 1e-150, 1e-300})
   {
-    const Fifty exact = ratio_by_mean(Fifty(eta));
-    const char* why = "a logarithm, a few products and sums";
-    CHECK(by_all_columns(eta) == within_ulps(exact, 6, why));
-    CHECK(by_one_logarithm(eta) == within_ulps(exact, 6, why));
-    CHECK(ratio_by_mean(eta) == within_ulps(exact, 6, "a dozen means, each rounded"));
-    CHECK(by_theta(eta) == within_ulps(exact, 6, why));
-    CHECK(swing::ratio_from_top(eta) == within_ulps(exact, 1.5, "the library's bound"));
-  }
-}
-
-/*!
-The line {{eq 1}} is checked against the definition of the columns, the sum of what stands in them, with a
-bound for the tail that is not added.
-*/
-
-CHECK_THAT("the recurrence gives the sums of the columns as Euler's array defines them")
-{
-  const auto S = column_sums<double>(8);
-  for(int j = 0; j < 8; ++j)
-  {
-    const int rows = 80;
-    Rational sum = 0;
-    for(int m = j + 1; m <= rows; ++m)
-      sum += entry(m, j);
-    const double tail = double(exact::double_factorial_ratio(rows)) * (rows + 1.0) / (rows + 1.0 - j);
-    CHECK(S[static_cast<std::size_t>(j)]
-          == between(Fifty(sum), Fifty(sum) + Fifty(tail),
-                     "an entry is below a_m/2(m−j), and those of the tail sum to less than a₈₀·81/(81−j)"));
+    CHECK(by_both(swing::Amplitude::from_eta(small))
+          == within_ulps(ratio_by_mean(Fifty(small)), 4,
+                         "a logarithm, a mean and a polynomial, each rounded"));
+    CHECK(by_both(swing::Amplitude::from_zeta(small))
+          == within_ulps(ratio_by_mean(exact::pi() - Fifty(small)), 6, "up to 47 additions, each rounded"));
   }
 }
