@@ -43,7 +43,7 @@ degrees and minutes of this page are his.
 
 Formula {{eq 1}} is shared with the sections before.
 
-::: code balance/euler.hpp euler
+::: code balance/euler.hpp euler (1)
 :::
 
 What it leaves free the reader may change. The full equations need one number more, the share

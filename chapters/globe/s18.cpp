@@ -44,7 +44,7 @@ The scan has {{eq 1}} and {{eq 2}} otherwise; *Checks* has the readings, and why
 Formula {{eq 1}} and the term that follows it in the expansion are shared. The logarithm is taken as an inverse
 hyperbolic sine, which keeps its digits at the start of the motion too.
 
-::: code globe/time.hpp by_euler
+::: code globe/time.hpp by_euler (1)
 :::
 
 What does {{eq 1}} leave out? In {{sec globe.16}} Euler replaced $\sqrt{kk+cc\sin^2\Phi}$ by

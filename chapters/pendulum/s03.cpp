@@ -33,7 +33,7 @@ about the centre of mass.
 
 A body is a list of elements, each a mass and a place. The centre of gravity and $k$ are sums over them.
 
-::: code pendulum/body.hpp body
+::: code pendulum/body.hpp body (1)
 :::
 
 And so is the moment of inertia about any point, beside which stands Euler's expression for it.

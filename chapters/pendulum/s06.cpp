@@ -83,7 +83,7 @@ double square_of_speed(double phi, double zeta, double b, double g)  // (5)
 /*!
 And the length $b$, in the order of operations in which no square overflows:
 
-::: code pendulum/equation.hpp equivalent_length
+::: code pendulum/equation.hpp equivalent_length (4)
 :::
 */
 

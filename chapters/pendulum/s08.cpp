@@ -92,7 +92,7 @@ Rational ladder(int power)  // (4), (6), for an even power of y
 /*!
 The series {{eq 7}} is used in many sections.
 
-::: code pendulum/series.hpp series
+::: code pendulum/series.hpp series (7)
 :::
 
 How good is it after $N$ terms? Let $a_n = \tfrac12\cdot\tfrac34\cdots\tfrac{2n-1}{2n}$, and let $R_N$ be what
@@ -106,7 +106,7 @@ $n = N$, the sum can be done, and so $R_N$ is enclosed:
 
 $$ \pi a_N^2(N+\tfrac14)\,B < R_N < B,\qquad B = \frac1\pi\sum_{n\ge N}\frac{c^{2n}}{n+\frac14}. \tag{9} $$
 
-::: code pendulum/tail.hpp tail
+::: code pendulum/tail.hpp tail (9)
 :::
 */
 

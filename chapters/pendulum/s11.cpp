@@ -51,7 +51,7 @@ $$ \int_0^1 \frac{dz}{1-zz} = \tfrac12\,l\,\frac{1+z}{1-z}\;\Big|_{z=1} = \infty
 
 {{sec pendulum.08}} derives the series; in the code $cc$ stands for $d/2b$.
 
-::: code pendulum/series.hpp series
+::: code pendulum/series.hpp series (1)
 :::
 
 What it should sum to is known in another way, found later by Gauss: $T/\Theta = 1/M(1, \cos\tfrac12\zeta)$,
@@ -223,12 +223,6 @@ const Emendation logarithm{"§11, the logarithm",
                              return reading
                                     == within_ulps(integral_to_z(0.4), 2, "a quotient and a logarithm");
                            }};
-
-const Emendation number{"§11, the section's number",
-                        {"§. II", 2},
-                        {"§. 11", 11},
-                        "it follows §. 10 and precedes §. 12",
-                        [](double reading) { return reading > 10 && reading < 12; }};
 
 /*!
 The divergent series, and the top itself. No machine will add enough terms to pass ten; Landau's law, with its

@@ -63,7 +63,7 @@ are positive and the error of one step is diminished by the next:
 $$ J_m = \frac{\cos\alpha}{2m} + \frac{2m-1}{2m}\sin^2\alpha\; J_{m-1}, \qquad J_0 = l\cot\tfrac12\alpha.
      \tag{5} $$
 
-::: code pendulum/columns.hpp scaled_integral
+::: code pendulum/columns.hpp scaled_integral (5)
 :::
 */
 

@@ -58,7 +58,7 @@ A row is $a_m J_m$, with the scaled integrals of {{sec pendulum.18}}:
 To add by columns one needs their sums. Euler finds two of them in the sections that follow; the recurrence
 that gives all is derived in {{sec pendulum.28}}.
 
-::: code pendulum/columns.hpp sum_by_columns
+::: code pendulum/columns.hpp sum_by_columns (2)
 :::
 
 All entries being positive, the order of adding cannot change the sum. It changes everything else.

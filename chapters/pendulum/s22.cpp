@@ -59,7 +59,7 @@ $-l(1-q)$, with $q = \frac12(1-\sqrt{1-vv})$ found without a difference:
 ::: code pendulum/columns.hpp half_versine
 :::
 
-::: code pendulum/columns.hpp D
+::: code pendulum/columns.hpp D (5)
 :::
 
 The series is added as it stands. Let $a_n$ be the coefficients of {{eq 2}}, so that the terms of {{eq 1}} are

@@ -54,7 +54,7 @@ goes out too, and all digits are kept however small $v$ is:
 
 $$ W = \frac{q\left(\frac92 - q - qq\right) + R\left(1 + 2q(1-q)\right)}{8(1-q)}. \tag{3} $$
 
-::: code pendulum/columns.hpp W
+::: code pendulum/columns.hpp W (3)
 :::
 */
 

@@ -40,7 +40,7 @@ Today: the equation of $K(k)$ with $k^2 = 1 - x$, symmetrical in $x$ and $1 - x$
 $\frac2\pi K(\sin\alpha)$.
 :::
 
-::: code pendulum/columns.hpp column_sums
+::: code pendulum/columns.hpp column_sums (3)
 :::
 
 In exact fractions, {{eq 3}} gives every sum in the form
@@ -84,7 +84,7 @@ $\cot\frac12\alpha$ but of $\frac4{\sin\alpha}$:
 $$ \begin{gathered} K = \sum a_n^2\,x^n\left(l\,\frac4{\sin\alpha} - r_n\right), \\
    r_n = \frac2{1\cdot2} + \frac2{3\cdot4} + \cdots + \frac2{(2n-1)\,2n}. \end{gathered} \tag{6} $$
 
-::: code pendulum/columns.hpp sum_with_one_logarithm
+::: code pendulum/columns.hpp sum_with_one_logarithm (6)
 :::
 */
 

@@ -65,7 +65,7 @@ Three proofs, none of which needs the others:
 The examples want the three members one by one. The logarithm of the cotangent is taken as minus that of the
 tangent, which neither overflows nor cancels, however small the angle.
 
-::: code pendulum/three_members.hpp three_members
+::: code pendulum/three_members.hpp three_members (2)
 :::
 
 Each proof is a program that finds $T/\Theta$. In the integral, $\cos\omega = \cos\alpha\sin\theta$ makes

@@ -156,11 +156,6 @@ lets the method fail when the terms with $\sin^6\alpha$ count. Since it is the f
 one would expect $\sin^4\alpha$; but what is said is true of either.
 */
 
-const Emendation heading{
-    "§37, the heading", {"none", 36}, {"§. 37", 37}, "§36 has ended, and §38 follows", [](double number) {
-      return number > 36 && number < 38;
-    }};
-
 const Undecided power{
     "§37, the terms that cannot be neglected",
     {"sin⁶α", 6},

@@ -82,7 +82,7 @@ Powers Q(const Rational& a)  // (4)
 /*!
 Formula {{eq 5}} serves the next sections too.
 
-::: code tautochrone/series.hpp radius
+::: code tautochrone/series.hpp radius (5)
 :::
 
 A second route forgets these lines and starts from the equation of {{sec tautochrone.28}}. For $a = 1$ and
