@@ -14,9 +14,11 @@ namespace balance
 /// A balance let go from rest, in the letters of §33, and the one number more that the exact equations need.
 struct Release
 {
-  double lambda, mu, i;  ///< in 1/s; i = λμμa/4g
-  Angles<> at;           ///< the inclinations m, n, n′ of beam and pans at the start
-  double rho;            ///< Laa/I, which Euler's formulae do not contain
+  double lambda;  ///< the beam's frequency, √(2g/f), in 1/s
+  double mu;      ///< a pan's frequency, √(2g/b), in 1/s
+  double i;       ///< λμμa/4g, in 1/s
+  Angles<> at;    ///< the inclinations m, n, n′ of beam and pans at the start
+  double rho;     ///< Laa/I, which Euler's formulae do not contain
 };
 
 /// Euler's example (§35): λ = 1, μ = 3, i = ¼, and a sixth of the radius for each angle. ρ is not his.

@@ -28,8 +28,11 @@ public:
   /// ≤ 0.1
   explicit Motion(const Balance<>& b, const State<>& start, double tolerance = 1e-13);
   ~Motion();
+  /// It may be moved, not copied.
+  /// @{
   Motion(Motion&&) noexcept;
   Motion& operator=(Motion&&) noexcept;
+  /// @}
 
   /// The state at the time t, in seconds, which must not lie before the last one asked for. With tolerance
   /// 1e-13 the angles of Euler's example err by less than 1e-12 until t = 30.

@@ -25,6 +25,7 @@ struct Ball
 /// halfway down to its surface, and the height that it would fall in the first second. Euler gives no numbers.
 template <class Real>
 inline const Ball<Real> our_ball{1, Real(1) / 10, Real(3) / 5};
+/// The height fallen in the first second, in feet: 15⅝.
 template <class Real>
 inline const Real our_g = Real(125) / 8;
 // [our_ball]

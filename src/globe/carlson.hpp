@@ -34,9 +34,11 @@ Real R_D(Real x, Real y, Real z)
   return R_J(x, y, z, z);
 }
 
+/// @cond
 extern template double R_F(double, double, double);
 extern template exact::Fifty R_F(exact::Fifty, exact::Fifty, exact::Fifty);
 extern template double R_J(double, double, double, double);
 extern template exact::Fifty R_J(exact::Fifty, exact::Fifty, exact::Fifty, exact::Fifty);
+/// @endcond
 
 }  // namespace globe

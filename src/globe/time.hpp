@@ -55,7 +55,9 @@ Real separatrix_time(const Real& c, const Real& k, const Real& omega);
 /// Source: halving in x = arsinh cot ω, since dτ/dx = √(kk + cc sin²Φ) lies between k and √(kk + cc).
 double separatrix_angle(double c, double k, double tau);
 
+/// @cond
 extern template double separatrix_time(const double&, const double&, const double&);
 extern template exact::Fifty separatrix_time(const exact::Fifty&, const exact::Fifty&, const exact::Fifty&);
+/// @endcond
 
 }  // namespace globe

@@ -18,9 +18,9 @@ using Elements = Eigen::Matrix3Xd;
 /// k about G (§3).
 struct Body
 {
-  double M;
-  Eigen::Vector2d G;
-  double k;
+  double M;           ///< its mass
+  Eigen::Vector2d G;  ///< where its centre of gravity is, A being the origin
+  double k;           ///< its radius of gyration about G
 
   double a() const { return G.stableNorm(); }  ///< AG
 };

@@ -100,8 +100,8 @@ std::vector<Real> column_sums(int count)
 /// A column's sum, exactly: S = β ln 2 − ρ with fractions β and ρ.
 struct ColumnSum
 {
-  exact::Rational beta;
-  exact::Rational rho;
+  exact::Rational beta;  ///< that of ln 2
+  exact::Rational rho;   ///< what is taken away
 
   /// Its value to fifty digits, less the one that the difference may cost.
   exact::Fifty value() const;
@@ -209,6 +209,7 @@ Real W(Real v, Real root)
 
 /// D(v), V(v), W(v) where v is not so near 1 that √(1−vv) must be known better than v tells. Domain: 0 ≤ v ≤
 /// 1.
+/// @{
 template <class Real>
 Real D(Real v)
 {
@@ -224,5 +225,6 @@ Real W(Real v)
 {
   return W(v, root_of(v));
 }
+/// @}
 
 }  // namespace pendulum

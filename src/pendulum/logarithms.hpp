@@ -25,8 +25,11 @@ public:
   /// from 5 upwards.
   static SevenPlaces as_written(const std::string& text);
 
+  /// Sums and whole multiples, exactly, as on paper.
+  /// @{
   friend SevenPlaces operator+(SevenPlaces a, SevenPlaces b) { return SevenPlaces(a.units_ + b.units_); }
   friend SevenPlaces operator*(int n, SevenPlaces a) { return SevenPlaces(n * a.units_); }
+  /// @}
 
   /// The number whose logarithm this is.
   exact::Fifty number() const;

@@ -14,8 +14,8 @@ namespace pendulum
 /// A point of the plate.
 struct Point
 {
-  double x;
-  double y;
+  double x;  ///< to the right of A
+  double y;  ///< above A
 };
 
 /// The point at a distance from A, on the line that makes the angle phi with the vertical.

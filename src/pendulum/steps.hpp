@@ -9,8 +9,8 @@ namespace pendulum
 /// Where the pendulum is, in radians, and how fast it turns, in radians per unit of time.
 struct Place
 {
-  double phi;
-  double rate;
+  double phi;   ///< where
+  double rate;  ///< how fast
 };
 
 // [leapfrog]

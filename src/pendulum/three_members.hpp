@@ -20,7 +20,7 @@ struct Members
   Real second;  ///< cos α l 2
   Real third;   ///< ¾ cos α sin²α l 2
 
-  Real sum() const { return first + second + third; }
+  Real sum() const { return first + second + third; }  ///< all three, the quarter motion
 };
 
 /// Domain: 0 < α ≤ π/2, radians; `terms` of the factor's series are kept. The sum falls short of K(cos

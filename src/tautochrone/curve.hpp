@@ -40,9 +40,9 @@ exact::Fifty falling(const exact::Fifty& phi);
 /// A point of the curve: the angle, the radius of curvature, the height above the lowest point.
 struct Point
 {
-  exact::Fifty phi;
-  exact::Fifty r;
-  exact::Fifty x;
+  exact::Fifty phi;  ///< the angle, in radians
+  exact::Fifty r;    ///< the radius of curvature
+  exact::Fifty x;    ///< the height above the lowest point
 };
 
 /**
