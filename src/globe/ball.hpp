@@ -22,7 +22,7 @@ struct Ball
 
 // [our_ball]
 /// The ball of the programs, in feet: a homogeneous one of weight 4/5 and radius 1 with a pellet of weight 1/5
-/// halfway down to its surface, and the height that it would fall in the first second. Euler gives no numbers.
+/// halfway down to its surface. Euler gives no numbers.
 template <class Real>
 inline const Ball<Real> our_ball{1, Real(1) / 10, Real(3) / 5};
 /// The height fallen in the first second, in feet: 15⅝.
