@@ -71,7 +71,8 @@ Fifty::Fifty(const char* decimal) : Fifty()
 
 Fifty& Fifty::operator=(const Fifty& other)
 {
-  Inside::of(*this) = real(other);
+  if(this != &other)
+    Inside::of(*this) = real(other);
   return *this;
 }
 

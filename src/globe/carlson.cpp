@@ -97,10 +97,9 @@ Real R_J(Real x, Real y, Real z, Real p)
   return quarter * series / (mean * sqrt(mean)) + 6 * sum;
 }
 
-using exact::Fifty;
 template double R_F(double, double, double);
-template Fifty R_F(Fifty, Fifty, Fifty);
+template exact::Fifty R_F(exact::Fifty, exact::Fifty, exact::Fifty);
 template double R_J(double, double, double, double);
-template Fifty R_J(Fifty, Fifty, Fifty, Fifty);
+template exact::Fifty R_J(exact::Fifty, exact::Fifty, exact::Fifty, exact::Fifty);
 
 }  // namespace globe

@@ -26,7 +26,7 @@ Point ending_at(const Fifty& k, const Fifty& phi)
 // Where the integration down to phi begins: at the end, or as near as leaves e^-80 of an error there.
 Point beginning(const Fifty& k, const Fifty& phi)
 {
-  const Point end = highest_end(k);
+  Point end = highest_end(k);
   const Fifty enough = falling(phi) - 80 * k * k;
   if(falling(end.phi) >= enough)
     return end;

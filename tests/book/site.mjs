@@ -61,6 +61,9 @@ function judged() {
     if (heading.tagName[1] - level > 1) say('a heading that skips a level', heading);
     level = Number(heading.tagName[1]);
   }
+  if (innerWidth > 1200)
+    for (const formula of document.querySelectorAll('main .formula'))
+      if (formula.scrollWidth > formula.clientWidth + 1) say('a formula wider than its column', formula);
   const text = document.createElement('div');
   text.innerHTML = document.body.innerHTML;
   text.querySelectorAll('pre, code, .katex-mathml, script, style').forEach((e) => e.remove());
