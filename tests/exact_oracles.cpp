@@ -13,14 +13,16 @@ using namespace exact;
 using edition::within;
 using edition::within_relative;
 
-namespace {
+namespace
+{
 
 // K(sin ½ζ) by the arithmetic-geometric mean: a second route to the period of the pendulum.
 Fifty quarter_period(const Fifty& zeta)
 {
   Fifty a = 1;
   Fifty b = cos(zeta / 2);
-  while (abs(a - b) > Fifty("1e-45")) {
+  while(abs(a - b) > Fifty("1e-45"))
+  {
     const Fifty mean = (a + b) / 2;
     b = sqrt(a * b);
     a = mean;
@@ -28,7 +30,10 @@ Fifty quarter_period(const Fifty& zeta)
   return pi() / (2 * a);
 }
 
-State pendulum(const Fifty&, const State& y) { return {y[1], -sin(y[0])}; }
+State pendulum(const Fifty&, const State& y)
+{
+  return {y[1], -sin(y[0])};
+}
 
 State kepler(const Fifty&, const State& y)
 {
@@ -44,10 +49,11 @@ TEST_CASE("smooth integrals are known to forty-nine digits")
   const auto quarter = integrate([](const Fifty& x) { return 1 / (1 + x * x); }, 0, 1);
   CHECK(4 * quarter.value == within_relative(pi(), 1e-48, "a few hundred roundings"));
   const auto backward = integrate([](const Fifty& x) { return exp(x); }, 1, -2);
-  CHECK(backward.value == within_relative(exp(Fifty(-2)) - exp(Fifty(1)), 1e-48, "a few hundred roundings"));
+  CHECK(backward.value
+        == within_relative(exp(Fifty(-2)) - exp(Fifty(1)), 1e-48, "a few hundred roundings"));
   CHECK(integrate([](const Fifty& x) { return x; }, 3, 3).value == 0);
-  CHECK(integrate([](const Fifty& x) { return x * x * x; }, -1, 1).value ==
-        within(Fifty(0), 1e-49, "the odd parts cancel up to their rounding"));
+  CHECK(integrate([](const Fifty& x) { return x * x * x; }, -1, 1).value
+        == within(Fifty(0), 1e-49, "the odd parts cancel up to their rounding"));
 }
 
 TEST_CASE("endpoint singularities lose nothing when the distance is handed over")
@@ -85,7 +91,8 @@ TEST_CASE("an integral that does not settle is refused")
 
 TEST_CASE("the reported error of an integral is larger than the true one")
 {
-  for (const char* tolerance : {"1e-5", "1e-12", "1e-25"}) {
+  for(const char* tolerance : {"1e-5", "1e-12", "1e-25"})
+  {
     CAPTURE(tolerance);
     const auto result = integrate([](const Fifty& x) { return exp(x); }, 0, 1, Fifty(tolerance));
     CHECK(abs(result.value - expm1(Fifty(1))) <= result.error);
@@ -95,20 +102,23 @@ TEST_CASE("the reported error of an integral is larger than the true one")
 
 TEST_CASE("the pendulum returns after the period that the arithmetic-geometric mean gives")
 {
-  for (const char* zeta : {"0.001", "1", "3"}) {
+  for(const char* zeta : {"0.001", "1", "3"})
+  {
     CAPTURE(zeta);
     const Fifty quarter = quarter_period(Fifty(zeta));
     const auto bottom = solve(pendulum, 0, {Fifty(zeta), 0}, quarter);
     CHECK(bottom.y[0] == within(Fifty(0), 1e-30, "some ten steps of 1e-32 each"));
     CHECK(bottom.y[1] == within(-2 * sin(Fifty(zeta) / 2), 1e-30, "some ten steps of 1e-32 each"));
     const auto back = solve(pendulum, 0, {Fifty(zeta), 0}, 4 * quarter);
-    CHECK(back.y[0] == within(Fifty(zeta), 1e-28, "at 3 rad a small error grows a hundredfold over a swing"));
+    CHECK(back.y[0]
+          == within(Fifty(zeta), 1e-28, "at 3 rad a small error grows a hundredfold over a swing"));
   }
 }
 
 TEST_CASE("the reported error of a motion is larger than the true one")
 {
-  for (const char* tolerance : {"1e-8", "1e-16", "1e-24", "1e-32", "1e-40"}) {
+  for(const char* tolerance : {"1e-8", "1e-16", "1e-24", "1e-32", "1e-40"})
+  {
     CAPTURE(tolerance);
     const State nearest = {Fifty("0.4"), 0, 0, 2};  // of an orbit with the eccentricity 0.6
     const auto planet = solve(kepler, 0, nearest, 2 * pi(), Fifty(tolerance));

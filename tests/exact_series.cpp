@@ -11,13 +11,15 @@ using namespace exact;
 using S = Series<Rational>;
 using L = Laurent<Rational>;
 
-namespace {
+namespace
+{
 
 const S x = S::x(12);
 S random_series(int seed, int constant)
 {
   std::vector<Rational> c = {constant};
-  for (int n = 1; n <= 12; ++n) {
+  for(int n = 1; n <= 12; ++n)
+  {
     c.push_back(Rational((n * seed) % 7 - 3, (n + seed) % 5 + 1));
   }
   return S(std::move(c), 12);
@@ -40,7 +42,8 @@ TEST_CASE("known expansions")
 
 TEST_CASE("the functions obey their identities for arbitrary series")
 {
-  for (int seed : {1, 2, 3}) {
+  for(int seed : {1, 2, 3})
+  {
     const S a = random_series(seed, 0);
     const S b = random_series(seed + 4, 1);
     CHECK(exp(log(b)) == b);
@@ -77,8 +80,8 @@ TEST_CASE("the order is that to which the terms determine the result")
 TEST_CASE("values are the sums of the known terms")
 {
   CHECK(exp(x)(Rational(1)) == Rational("260412269/95800320"));  // 1 + 1 + 1/2! + ... + 1/12!
-  CHECK(exp(x)(Fifty("0.001")) ==
-        edition::within_relative(exp(Fifty("0.001")), 2e-49, "0.001^13/13! is 1.6e-49"));
+  CHECK(exp(x)(Fifty("0.001"))
+        == edition::within_relative(exp(Fifty("0.001")), 2e-49, "0.001^13/13! is 1.6e-49"));
   CHECK(S::x(3)(0.5) == 0.5);
 }
 
@@ -104,8 +107,10 @@ TEST_CASE("a series of series is one in two variables")
   const Two a(S::x(4));  // the inner variable
   // 1/(1 - x - y): the coefficient of x^i y^j is the binomial coefficient.
   const Two inverse = Two(1) / (Two(1) - a - y);
-  for (int i = 0; i <= 4; ++i) {
-    for (int j = 0; j <= 4; ++j) {
+  for(int i = 0; i <= 4; ++i)
+  {
+    for(int j = 0; j <= 4; ++j)
+    {
       CHECK(inverse[j][i] == binomial(i + j, i));
     }
   }

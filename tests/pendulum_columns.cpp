@@ -60,14 +60,16 @@ TEST_CASE("an entry's row, times the powers, is the scaled integral, for rows up
     Fifty row = a * a * pow(x, m) * log_cot_half(alpha);
     for(int j = 0; j < m; ++j)
       row += static_cast<Fifty>(entry(m, j)) * pow(x, j) * cos(alpha);
-    CHECK(row == within_relative(a * scaled_integral(m, alpha), 1e-46, "a hundred roundings of fifty digits"));
+    CHECK(row
+          == within_relative(a * scaled_integral(m, alpha), 1e-46, "a hundred roundings of fifty digits"));
   }
 }
 
 TEST_CASE("the logarithm of the cotangent keeps its digits from the smallest angle to nearly 90 degrees")
 {
   for(const double alpha : {1e-300, 1e-8, 0.1, 0.999, 1.001, 1.5, 1.5707})
-    CHECK(log_cot_half(alpha) == within_ulps(log_cot_half(Fifty(alpha)), 3, "documented; 90° less α is exact"));
+    CHECK(log_cot_half(alpha)
+          == within_ulps(log_cot_half(Fifty(alpha)), 3, "documented; 90° less α is exact"));
 }
 
 TEST_CASE("no columns, no rows, no terms: nothing but what is left")

@@ -23,13 +23,13 @@ TEST_CASE("the fastest round is no slower than the median, and both are positive
 {
   double x = 1;
   const auto work = [&] {
-    for (int i = 0; i < 1000; ++i)
+    for(int i = 0; i < 1000; ++i)
     {
       race::forget(x);
       race::keep(1 / x);
     }
   };
-  for (const auto& timing : race::run({{"division", work, 1000}}, {5, 1e-4}))
+  for(const auto& timing : race::run({{"division", work, 1000}}, {5, 1e-4}))
   {
     CHECK(timing.fastest > 0);
     CHECK(timing.fastest <= timing.seconds);

@@ -326,7 +326,7 @@ struct Telling
 #define EDITION_TELL_COUNTED(count) EDITION_TELL_NAMED(edition_tell_##count, edition_telling_##count)
 #define EDITION_TELL_NAMED(body, registration)                                                             \
   static void body();                                                                                      \
-  static const edition::Telling registration{&(body)};                                                       \
+  static const edition::Telling registration{&(body)};                                                     \
   static void body()
 /// @endcond
 

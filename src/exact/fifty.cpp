@@ -14,25 +14,34 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace exact {
-namespace {
+namespace exact
+{
+namespace
+{
 
 namespace policies = boost::math::policies;
 
 // Boost's own functions answer outside their domain as the standard library does, instead of throwing.
-using Quiet = policies::policy<policies::domain_error<policies::ignore_error>,
-                               policies::pole_error<policies::ignore_error>,
-                               policies::overflow_error<policies::ignore_error>,
-                               policies::evaluation_error<policies::ignore_error>>;
+using Quiet = policies::policy<
+    policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
+    policies::overflow_error<policies::ignore_error>, policies::evaluation_error<policies::ignore_error>>;
 
-Fifty nan() { return std::numeric_limits<double>::quiet_NaN(); }
-Fifty infinity() { return std::numeric_limits<double>::infinity(); }
+Fifty nan()
+{
+  return std::numeric_limits<double>::quiet_NaN();
+}
+Fifty infinity()
+{
+  return std::numeric_limits<double>::infinity();
+}
 
 // Sign, digits with or without a point, exponent: no more than that. Boost alone would take "" and "0x1f" for
 // numbers.
 bool is_decimal(std::string_view text)
 {
-  const auto skip_sign = [&] { text.remove_prefix(text.starts_with('+') || text.starts_with('-') ? 1 : 0); };
+  const auto skip_sign = [&] {
+    text.remove_prefix(text.starts_with('+') || text.starts_with('-') ? 1 : 0);
+  };
   const auto skip_digits = [&] {
     const auto count = std::min(text.find_first_not_of("0123456789"), text.size());
     text.remove_prefix(count);
@@ -40,11 +49,13 @@ bool is_decimal(std::string_view text)
   };
   skip_sign();
   auto digits = skip_digits();
-  if (text.starts_with('.')) {
+  if(text.starts_with('.'))
+  {
     text.remove_prefix(1);
     digits += skip_digits();
   }
-  if (digits > 0 && (text.starts_with('e') || text.starts_with('E'))) {
+  if(digits > 0 && (text.starts_with('e') || text.starts_with('E')))
+  {
     text.remove_prefix(1);
     skip_sign();
     digits = skip_digits();
@@ -54,16 +65,32 @@ bool is_decimal(std::string_view text)
 
 }  // namespace
 
-Fifty::Fifty() { Inside::begin(*this, 0); }
-Fifty::Fifty(double x) { Inside::begin(*this, x); }
-Fifty::Fifty(Exactly, long long n) { Inside::begin(*this, n); }
-Fifty::Fifty(Exactly, unsigned long long n) { Inside::begin(*this, n); }
-Fifty::Fifty(const Fifty& other) { Inside::begin(*this, real(other)); }
+Fifty::Fifty()
+{
+  Inside::begin(*this, 0);
+}
+Fifty::Fifty(double x)
+{
+  Inside::begin(*this, x);
+}
+Fifty::Fifty(Exactly, long long n)
+{
+  Inside::begin(*this, n);
+}
+Fifty::Fifty(Exactly, unsigned long long n)
+{
+  Inside::begin(*this, n);
+}
+Fifty::Fifty(const Fifty& other)
+{
+  Inside::begin(*this, real(other));
+}
 Fifty::Fifty(const std::string& decimal) : Fifty(decimal.c_str()) {}
 
 Fifty::Fifty(const char* decimal) : Fifty()
 {
-  if (!is_decimal(decimal)) {
+  if(!is_decimal(decimal))
+  {
     throw std::invalid_argument("not a decimal number: '" + std::string(decimal) + "'");
   }
   Inside::of(*this) = Real(decimal);
@@ -76,50 +103,127 @@ Fifty& Fifty::operator=(const Fifty& other)
   return *this;
 }
 
-Fifty::operator double() const { return real(*this).convert_to<double>(); }
+Fifty::operator double() const
+{
+  return real(*this).convert_to<double>();
+}
 
 std::string Fifty::str(int digits) const
 {
-  if (digits < 1 || digits > 50) {
+  if(digits < 1 || digits > 50)
+  {
     throw std::out_of_range("a Fifty has 1 to 50 digits to show, not " + std::to_string(digits));
   }
   return real(*this).str(digits, std::ios_base::fmtflags{});
 }
 
-Fifty& Fifty::operator+=(const Fifty& y) { return Inside::of(*this) += real(y), *this; }
-Fifty& Fifty::operator-=(const Fifty& y) { return Inside::of(*this) -= real(y), *this; }
-Fifty& Fifty::operator*=(const Fifty& y) { return Inside::of(*this) *= real(y), *this; }
-Fifty& Fifty::operator/=(const Fifty& y) { return Inside::of(*this) /= real(y), *this; }
+Fifty& Fifty::operator+=(const Fifty& y)
+{
+  return Inside::of(*this) += real(y), *this;
+}
+Fifty& Fifty::operator-=(const Fifty& y)
+{
+  return Inside::of(*this) -= real(y), *this;
+}
+Fifty& Fifty::operator*=(const Fifty& y)
+{
+  return Inside::of(*this) *= real(y), *this;
+}
+Fifty& Fifty::operator/=(const Fifty& y)
+{
+  return Inside::of(*this) /= real(y), *this;
+}
 
-Fifty operator-(const Fifty& x) { return fifty(-real(x)); }
-bool operator==(const Fifty& x, const Fifty& y) { return real(x) == real(y); }
+Fifty operator-(const Fifty& x)
+{
+  return fifty(-real(x));
+}
+bool operator==(const Fifty& x, const Fifty& y)
+{
+  return real(x) == real(y);
+}
 
 std::partial_ordering operator<=>(const Fifty& x, const Fifty& y)
 {
-  if (isnan(x) || isnan(y)) {
+  if(isnan(x) || isnan(y))
+  {
     return std::partial_ordering::unordered;
   }
   return real(x).compare(real(y)) <=> 0;
 }
 
-Fifty sqrt(const Fifty& x) { return x < 0 ? nan() : fifty(sqrt(real(x))); }
-Fifty cbrt(const Fifty& x) { return fifty(boost::math::cbrt(real(x), Quiet{})); }
-Fifty exp(const Fifty& x) { return fifty(exp(real(x))); }
-Fifty sin(const Fifty& x) { return fifty(sin(real(x))); }
-Fifty cos(const Fifty& x) { return fifty(cos(real(x))); }
-Fifty tan(const Fifty& x) { return fifty(tan(real(x))); }
-Fifty atan(const Fifty& x) { return fifty(atan(real(x))); }
-Fifty atan2(const Fifty& y, const Fifty& x) { return fifty(atan2(real(y), real(x))); }
-Fifty cosh(const Fifty& x) { return fifty(cosh(real(x))); }
-Fifty pow(const Fifty& x, const Fifty& y) { return fifty(pow(real(x), real(y))); }
-Fifty pow(const Fifty& x, int n) { return fifty(pow(real(x), n)); }
-Fifty abs(const Fifty& x) { return fifty(abs(real(x))); }
-Fifty floor(const Fifty& x) { return fifty(floor(real(x))); }
-Fifty ceil(const Fifty& x) { return fifty(ceil(real(x))); }
-Fifty ldexp(const Fifty& x, int n) { return fifty(ldexp(real(x), n)); }
-Fifty hypot(const Fifty& x, const Fifty& y) { return sqrt(x * x + y * y); }  // the exponent does not overflow
-bool isfinite(const Fifty& x) { return boost::multiprecision::isfinite(real(x)); }
-bool isnan(const Fifty& x) { return boost::multiprecision::isnan(real(x)); }
+Fifty sqrt(const Fifty& x)
+{
+  return x < 0 ? nan() : fifty(sqrt(real(x)));
+}
+Fifty cbrt(const Fifty& x)
+{
+  return fifty(boost::math::cbrt(real(x), Quiet{}));
+}
+Fifty exp(const Fifty& x)
+{
+  return fifty(exp(real(x)));
+}
+Fifty sin(const Fifty& x)
+{
+  return fifty(sin(real(x)));
+}
+Fifty cos(const Fifty& x)
+{
+  return fifty(cos(real(x)));
+}
+Fifty tan(const Fifty& x)
+{
+  return fifty(tan(real(x)));
+}
+Fifty atan(const Fifty& x)
+{
+  return fifty(atan(real(x)));
+}
+Fifty atan2(const Fifty& y, const Fifty& x)
+{
+  return fifty(atan2(real(y), real(x)));
+}
+Fifty cosh(const Fifty& x)
+{
+  return fifty(cosh(real(x)));
+}
+Fifty pow(const Fifty& x, const Fifty& y)
+{
+  return fifty(pow(real(x), real(y)));
+}
+Fifty pow(const Fifty& x, int n)
+{
+  return fifty(pow(real(x), n));
+}
+Fifty abs(const Fifty& x)
+{
+  return fifty(abs(real(x)));
+}
+Fifty floor(const Fifty& x)
+{
+  return fifty(floor(real(x)));
+}
+Fifty ceil(const Fifty& x)
+{
+  return fifty(ceil(real(x)));
+}
+Fifty ldexp(const Fifty& x, int n)
+{
+  return fifty(ldexp(real(x), n));
+}
+Fifty hypot(const Fifty& x, const Fifty& y)
+{
+  return sqrt(x * x + y * y);
+}  // the exponent does not overflow
+bool isfinite(const Fifty& x)
+{
+  return boost::multiprecision::isfinite(real(x));
+}
+bool isnan(const Fifty& x)
+{
+  return boost::multiprecision::isnan(real(x));
+}
 
 Fifty round(const Fifty& x)
 {
@@ -135,7 +239,8 @@ Fifty expm1(const Fifty& x)
 
 Fifty log(const Fifty& x)
 {
-  if (x == 0) {
+  if(x == 0)
+  {
     return -infinity();
   }
   return x < 0 ? nan() : fifty(log(real(x)));
@@ -146,13 +251,20 @@ Fifty log1p(const Fifty& x)
   return abs(x) < 0.5 ? fifty(boost::math::log1p(real(x), Quiet{})) : log(1 + x);
 }
 
-Fifty asin(const Fifty& x) { return abs(x) > 1 ? nan() : fifty(asin(real(x))); }
-Fifty acos(const Fifty& x) { return abs(x) > 1 ? nan() : fifty(acos(real(x))); }
+Fifty asin(const Fifty& x)
+{
+  return abs(x) > 1 ? nan() : fifty(asin(real(x)));
+}
+Fifty acos(const Fifty& x)
+{
+  return abs(x) > 1 ? nan() : fifty(acos(real(x)));
+}
 
 // The hyperbolic functions by expm1 and log1p, none of which cancels for small arguments.
 Fifty sinh(const Fifty& x)
 {
-  if (abs(x) > 1) {
+  if(abs(x) > 1)
+  {
     return fifty(sinh(real(x)));
   }
   const Fifty e = expm1(x);
@@ -161,7 +273,8 @@ Fifty sinh(const Fifty& x)
 
 Fifty tanh(const Fifty& x)
 {
-  if (abs(x) > 100) {
+  if(abs(x) > 100)
+  {
     return x < 0 ? -1 : 1;
   }
   const Fifty e = expm1(2 * x);
@@ -183,7 +296,8 @@ Fifty acosh(const Fifty& x)
 
 Fifty atanh(const Fifty& x)
 {
-  if (abs(x) >= 1) {
+  if(abs(x) >= 1)
+  {
     return abs(x) > 1 ? nan() : x * infinity();
   }
   return log1p(2 * x / (1 - x)) / 2;
@@ -199,22 +313,34 @@ Fifty lgamma(const Fifty& x)
   return x <= 0 && floor(x) == x ? infinity() : fifty(boost::math::lgamma(real(x), Quiet{}));
 }
 
-Fifty pi() { return fifty(boost::math::constants::pi<Real>()); }
-Fifty ln2() { return fifty(boost::math::constants::ln_two<Real>()); }
-Fifty euler_gamma() { return fifty(boost::math::constants::euler<Real>()); }
+Fifty pi()
+{
+  return fifty(boost::math::constants::pi<Real>());
+}
+Fifty ln2()
+{
+  return fifty(boost::math::constants::ln_two<Real>());
+}
+Fifty euler_gamma()
+{
+  return fifty(boost::math::constants::euler<Real>());
+}
 
 double ulps(double got, const Fifty& exact)
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  if (std::isnan(got) || isnan(exact)) {
+  if(std::isnan(got) || isnan(exact))
+  {
     return infinite;
   }
-  if (std::isinf(got) || !isfinite(exact)) {
+  if(std::isinf(got) || !isfinite(exact))
+  {
     return got == static_cast<double>(exact) ? 0 : infinite;
   }
   using Double = std::numeric_limits<double>;
   int exponent = Double::min_exponent;
-  if (exact != 0) {
+  if(exact != 0)
+  {
     frexp(real(exact), &exponent);
   }
   const int binade = std::clamp(exponent, Double::min_exponent, Double::max_exponent);

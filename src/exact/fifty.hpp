@@ -8,7 +8,8 @@
 #include <string>
 
 /// Exact fractions, fifty-digit reals, formal series: what the edition trusts when it judges a double.
-namespace exact {
+namespace exact
+{
 
 /**
  * A real number with a significand of 168 bits (50 decimal digits) and a practically unbounded exponent.
@@ -20,16 +21,21 @@ namespace exact {
  *
  * Source: `cpp_bin_float_50` of Boost.Multiprecision, which stays out of this header.
  */
-class Fifty {
+class Fifty
+{
 public:
-  Fifty();  ///< Zero.
+  Fifty();          ///< Zero.
   Fifty(double x);  ///< Exactly the given double, not the decimal fraction it was written as.
   /// A whole number, exactly.
   /// @{
   template <std::signed_integral Integer>
-  Fifty(Integer n) : Fifty(Exactly{}, static_cast<long long>(n)) {}
+  Fifty(Integer n) : Fifty(Exactly{}, static_cast<long long>(n))
+  {
+  }
   template <std::unsigned_integral Integer>
-  Fifty(Integer n) : Fifty(Exactly{}, static_cast<unsigned long long>(n)) {}
+  Fifty(Integer n) : Fifty(Exactly{}, static_cast<unsigned long long>(n))
+  {
+  }
   /// @}
   Fifty(bool) = delete;
   Fifty(long double) = delete;
@@ -88,30 +94,32 @@ public:
   friend Fifty asin(const Fifty& x);   ///< NaN outside [-1, 1]
   friend Fifty acos(const Fifty& x);   ///< NaN outside [-1, 1]
   friend Fifty atan(const Fifty& x);   ///< from -½π to ½π
-  friend Fifty atan2(const Fifty& y, const Fifty& x);  ///< the angle of the point (x, y), from -π to π
-  friend Fifty sinh(const Fifty& x);   ///< the hyperbolic sine
-  friend Fifty cosh(const Fifty& x);   ///< the hyperbolic cosine
-  friend Fifty tanh(const Fifty& x);   ///< the hyperbolic tangent
-  friend Fifty asinh(const Fifty& x);  ///< of every x
-  friend Fifty acosh(const Fifty& x);  ///< NaN below 1
-  friend Fifty atanh(const Fifty& x);  ///< infinite at ±1, NaN beyond
-  friend Fifty pow(const Fifty& x, const Fifty& y);  ///< NaN for x below zero unless y is whole
-  friend Fifty pow(const Fifty& x, int n);  ///< by repeated squaring, for negative x too
-  friend Fifty hypot(const Fifty& x, const Fifty& y);  ///< √(xx + yy)
-  friend Fifty abs(const Fifty& x);    ///< without its sign
+  friend Fifty atan2(const Fifty& y, const Fifty& x);   ///< the angle of the point (x, y), from -π to π
+  friend Fifty sinh(const Fifty& x);                    ///< the hyperbolic sine
+  friend Fifty cosh(const Fifty& x);                    ///< the hyperbolic cosine
+  friend Fifty tanh(const Fifty& x);                    ///< the hyperbolic tangent
+  friend Fifty asinh(const Fifty& x);                   ///< of every x
+  friend Fifty acosh(const Fifty& x);                   ///< NaN below 1
+  friend Fifty atanh(const Fifty& x);                   ///< infinite at ±1, NaN beyond
+  friend Fifty pow(const Fifty& x, const Fifty& y);     ///< NaN for x below zero unless y is whole
+  friend Fifty pow(const Fifty& x, int n);              ///< by repeated squaring, for negative x too
+  friend Fifty hypot(const Fifty& x, const Fifty& y);   ///< √(xx + yy)
+  friend Fifty abs(const Fifty& x);                     ///< without its sign
   friend Fifty fabs(const Fifty& x) { return abs(x); }  ///< the same
-  friend Fifty floor(const Fifty& x);  ///< the next whole number below
-  friend Fifty ceil(const Fifty& x);   ///< the next whole number above
-  friend Fifty round(const Fifty& x);  ///< halves away from zero, as `std::round`
-  friend Fifty ldexp(const Fifty& x, int n);  ///< x 2ⁿ, exactly
-  friend Fifty tgamma(const Fifty& x);  ///< NaN at 0, -1, -2, ...
-  friend Fifty lgamma(const Fifty& x);  ///< ln |Γ(x)|; +inf at 0, -1, -2, ...
-  friend bool isfinite(const Fifty& x);  ///< neither infinite nor NaN
-  friend bool isnan(const Fifty& x);     ///< what an undefined operation gives
+  friend Fifty floor(const Fifty& x);                   ///< the next whole number below
+  friend Fifty ceil(const Fifty& x);                    ///< the next whole number above
+  friend Fifty round(const Fifty& x);                   ///< halves away from zero, as `std::round`
+  friend Fifty ldexp(const Fifty& x, int n);            ///< x 2ⁿ, exactly
+  friend Fifty tgamma(const Fifty& x);                  ///< NaN at 0, -1, -2, ...
+  friend Fifty lgamma(const Fifty& x);                  ///< ln |Γ(x)|; +inf at 0, -1, -2, ...
+  friend bool isfinite(const Fifty& x);                 ///< neither infinite nor NaN
+  friend bool isnan(const Fifty& x);                    ///< what an undefined operation gives
   /// @}
 
 private:
-  struct Exactly {};
+  struct Exactly
+  {
+  };
   Fifty(Exactly, long long n);
   Fifty(Exactly, unsigned long long n);
 

@@ -5,8 +5,10 @@
 #include <stdexcept>
 #include <string>
 
-namespace exact {
-namespace {
+namespace exact
+{
+namespace
+{
 
 using std::size_t;
 
@@ -14,7 +16,8 @@ using std::size_t;
 State along(const State& a, const Fifty& h, const State& b)
 {
   State sum = a;
-  for (size_t i = 0; i < sum.size(); ++i) {
+  for(size_t i = 0; i < sum.size(); ++i)
+  {
     sum[i] += h * b[i];
   }
   return sum;
@@ -24,7 +27,8 @@ State along(const State& a, const Fifty& h, const State& b)
 Fifty distance(const State& x, const State& y)
 {
   Fifty greatest;
-  for (size_t i = 0; i < x.size(); ++i) {
+  for(size_t i = 0; i < x.size(); ++i)
+  {
     greatest = std::max(greatest, abs(x[i] - y[i]) / std::max(Fifty(1), abs(y[i])));
   }
   return greatest;
@@ -36,9 +40,12 @@ bool all_finite(const State& y)
 }
 
 // A step led to where the right-hand side is not finite.
-struct StepTooLong {};
+struct StepTooLong
+{
+};
 
-class Extrapolation {
+class Extrapolation
+{
 public:
   Extrapolation(const RightSide& f, size_t columns) : f_(f), columns_(columns) {}
 
@@ -58,10 +65,12 @@ State Extrapolation::slope(const Fifty& t, const State& y)
 {
   ++evaluations;
   State result = f_(t, y);
-  if (result.size() != y.size()) {
+  if(result.size() != y.size())
+  {
     throw std::invalid_argument("the right-hand side has not as many components as the state");
   }
-  if (!all_finite(result)) {
+  if(!all_finite(result))
+  {
     throw StepTooLong{};
   }
   return result;
@@ -74,7 +83,8 @@ State Extrapolation::midpoint(const Fifty& t, const State& y, const State& slope
   const Fifty h = step / parts;
   State before = y;
   State now = along(y, h, slope0);
-  for (int i = 1; i < parts; ++i) {
+  for(int i = 1; i < parts; ++i)
+  {
     State next = along(before, 2 * h, slope(t + i * h, now));
     before = std::move(now);
     now = std::move(next);
@@ -87,13 +97,16 @@ Fifty Extrapolation::extrapolate(const Fifty& t, const State& y, const Fifty& st
 {
   const State slope0 = slope(t, y);
   std::vector<State> row;
-  for (size_t j = 0; j < columns_; ++j) {
+  for(size_t j = 0; j < columns_; ++j)
+  {
     const int parts = 2 * static_cast<int>(j + 1);
     State value = midpoint(t, y, slope0, step, parts);
-    for (size_t k = 0; k < j; ++k) {  // Aitken and Neville
+    for(size_t k = 0; k < j; ++k)
+    {  // Aitken and Neville
       const Fifty ratio = Fifty(parts) / (2 * static_cast<int>(j - k));
       State better = value;
-      for (size_t i = 0; i < better.size(); ++i) {
+      for(size_t i = 0; i < better.size(); ++i)
+      {
         better[i] += (value[i] - row[k][i]) / (ratio * ratio - 1);
       }
       row[k] = std::move(value);
@@ -111,25 +124,32 @@ State Extrapolation::run(Fifty t, State y, const Fifty& t1, const Fifty& toleran
   const Fifty whole = t1 - t;
   const double order = 2.0 * static_cast<double>(columns_) - 1;
   Fifty step = whole;
-  for (int steps = 0; t != t1; ++steps) {
+  for(int steps = 0; t != t1; ++steps)
+  {
     const bool last = abs(step) >= abs(t1 - t);
-    if (last) {
+    if(last)
+    {
       step = t1 - t;
     }
     double factor = 0.1;
-    try {
+    try
+    {
       State next;
       const Fifty error = extrapolate(t, y, step, next);
-      if (error <= tolerance) {
+      if(error <= tolerance)
+      {
         t = last ? t1 : t + step;
         y = std::move(next);
       }
       const double ratio = std::max(static_cast<double>(error / tolerance), 1e-30);
       factor = std::clamp(0.8 * std::pow(ratio, -1 / order), 0.1, 3.0);
-    } catch (const StepTooLong&) {
+    }
+    catch(const StepTooLong&)
+    {
     }
     step *= factor;
-    if (steps == most_steps || abs(step) < abs(whole) * Fifty("1e-30")) {
+    if(steps == most_steps || abs(step) < abs(whole) * Fifty("1e-30"))
+    {
       throw std::runtime_error("the integration cannot pass t = " + t.str(20));
     }
   }
@@ -138,12 +158,16 @@ State Extrapolation::run(Fifty t, State y, const Fifty& t1, const Fifty& toleran
 
 }  // namespace
 
-Solution solve(const RightSide& f, const Fifty& t0, const State& y0, const Fifty& t1, const Fifty& tolerance)
+Solution solve(const RightSide& f, const Fifty& t0, const State& y0, const Fifty& t1,
+               const Fifty& tolerance)
 {
-  if (!(tolerance >= Fifty("1e-40") && tolerance <= Fifty("1e-3"))) {
-    throw std::invalid_argument("the tolerance must lie between 1e-40 and 1e-3, not at " + tolerance.str(3));
+  if(!(tolerance >= Fifty("1e-40") && tolerance <= Fifty("1e-3")))
+  {
+    throw std::invalid_argument("the tolerance must lie between 1e-40 and 1e-3, not at "
+                                + tolerance.str(3));
   }
-  if (!all_finite(y0) || !isfinite(t0) || !isfinite(t1)) {
+  if(!all_finite(y0) || !isfinite(t0) || !isfinite(t1))
+  {
     throw std::invalid_argument("the start or the end of the integration is not finite");
   }
   // The cheapest number on a Kepler ellipse: a column for every three digits.
@@ -164,7 +188,8 @@ std::vector<Solution> solve(const RightSide& f, const Fifty& t0, const State& y0
   std::vector<Solution> results;
   Fifty t = t0;
   State y = y0;
-  for (const Fifty& t1 : times) {
+  for(const Fifty& t1 : times)
+  {
     results.push_back(solve(f, t, y, t1, tolerance));
     t = t1;
     y = results.back().y;

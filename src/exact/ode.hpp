@@ -7,15 +7,17 @@
 #include <functional>
 #include <vector>
 
-namespace exact {
+namespace exact
+{
 
-using State = std::vector<Fifty>;  ///< y, one number an unknown
+using State = std::vector<Fifty>;                                        ///< y, one number an unknown
 using RightSide = std::function<State(const Fifty& t, const State& y)>;  ///< f in y' = f(t, y)
 
 /// A solution at one time and how far it can be trusted.
-struct Solution {
-  State y;      ///< the solution
-  Fifty error;  ///< the greatest difference to a second integration with other orders and steps
+struct Solution
+{
+  State y;              ///< the solution
+  Fifty error;          ///< the greatest difference to a second integration with other orders and steps
   int evaluations = 0;  ///< of the right-hand side, in both integrations together
 };
 

@@ -2,11 +2,14 @@
 
 #include <stdexcept>
 
-namespace exact {
-namespace {
+namespace exact
+{
+namespace
+{
 
 // A node 1 - c of the rule on [-1, 1], in its right half, and its weight per mesh width.
-struct Node {
+struct Node
+{
   Fifty c;
   Fifty weight;
 };
@@ -23,7 +26,8 @@ Node node(const Fifty& t)
 Integral integrate_from_ends(const std::function<Fifty(const Fifty&, const Fifty&)>& f, const Fifty& a,
                              const Fifty& b, const Fifty& tolerance)
 {
-  if (!isfinite(a) || !isfinite(b)) {
+  if(!isfinite(a) || !isfinite(b))
+  {
     throw std::domain_error("an integral needs finite ends");
   }
   constexpr double last_t = 5.68;  // where 1 - x is 1e-200
@@ -33,7 +37,8 @@ Integral integrate_from_ends(const std::function<Fifty(const Fifty&, const Fifty
   Fifty sum, size;  // of f and of |f|, over all nodes so far
   const auto add = [&](const Fifty& x, const Fifty& to_nearer_end, const Fifty& weight) {
     const Fifty y = f(x, to_nearer_end) * weight;
-    if (!isfinite(y)) {
+    if(!isfinite(y))
+    {
       throw std::domain_error("the integrand is not finite at " + x.str(20));
     }
     sum += y;
@@ -42,9 +47,11 @@ Integral integrate_from_ends(const std::function<Fifty(const Fifty&, const Fifty
   };
 
   add(a + half, half, node(0).weight);
-  for (int level = 0; level <= levels; ++level) {
+  for(int level = 0; level <= levels; ++level)
+  {
     const Fifty h = ldexp(Fifty(1), -level);
-    for (Fifty t = h; t < last_t; t += level == 0 ? h : 2 * h) {
+    for(Fifty t = h; t < last_t; t += level == 0 ? h : 2 * h)
+    {
       const auto [c, weight] = node(t);
       add(a + half * c, -half * c, weight);
       add(b - half * c, half * c, weight);
@@ -54,7 +61,8 @@ Integral integrate_from_ends(const std::function<Fifty(const Fifty&, const Fifty
     const Fifty change = abs(value - result.value);
     result.error = change + Fifty("1e-49") * whole;
     result.value = value;
-    if (level > 1 && change <= tolerance * whole) {
+    if(level > 1 && change <= tolerance * whole)
+    {
       return result;
     }
   }

@@ -6,12 +6,15 @@
 
 #include <functional>
 
-namespace exact {
+namespace exact
+{
 
 /// An integral and how far it can be trusted.
-struct Integral {
-  Fifty value;          ///< the integral
-  Fifty error;  ///< how much the last halving of the mesh changed the value, and 1e-49 of the integral of |f|
+struct Integral
+{
+  Fifty value;  ///< the integral
+  Fifty
+      error;  ///< how much the last halving of the mesh changed the value, and 1e-49 of the integral of |f|
   int evaluations = 0;  ///< of f
 };
 

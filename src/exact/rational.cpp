@@ -9,8 +9,10 @@
 #include <utility>
 #include <vector>
 
-namespace exact {
-namespace {
+namespace exact
+{
+namespace
+{
 
 namespace multiprecision = boost::multiprecision;
 using Integer = multiprecision::cpp_int;
@@ -20,7 +22,8 @@ using Fraction = multiprecision::cpp_rational;
 Integer whole_number(const std::string& text)
 {
   const std::string digits = text.starts_with('-') ? text.substr(1) : text;
-  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) {
+  if(digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos)
+  {
     throw std::invalid_argument("not a whole number: '" + text + "'");
   }
   const auto first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
@@ -30,7 +33,8 @@ Integer whole_number(const std::string& text)
 
 void require_nonnegative(int n, const char* what)
 {
-  if (n < 0) {
+  if(n < 0)
+  {
     throw std::domain_error(std::string(what) + " of a negative number");
   }
 }
@@ -44,7 +48,8 @@ std::pair<Integer, int> sticky_quotient(const Integer& n, const Integer& d, int 
   const Integer down = shift > 0 ? Integer(d << static_cast<unsigned>(shift)) : d;
   Integer quotient, rest;
   divide_qr(up, down, quotient, rest);
-  if (rest != 0) {
+  if(rest != 0)
+  {
     bit_set(quotient, 0);
   }
   return {quotient, shift};
@@ -52,7 +57,8 @@ std::pair<Integer, int> sticky_quotient(const Integer& n, const Integer& d, int 
 
 }  // namespace
 
-struct Rational::Value {
+struct Rational::Value
+{
   Fraction fraction;
 };
 
@@ -61,7 +67,8 @@ Rational::Rational() : Rational(Value{0}) {}
 
 Rational::Rational(long long numerator, long long denominator) : Rational()
 {
-  if (denominator == 0) {
+  if(denominator == 0)
+  {
     throw std::domain_error("a fraction with the denominator 0");
   }
   *this = Rational(Value{Fraction(Integer(numerator)) / Fraction(Integer(denominator))});
@@ -73,7 +80,8 @@ Rational::Rational(const char* text) : Rational()
   const auto bar = all.find('/');
   const Integer numerator = whole_number(all.substr(0, bar));
   const Integer denominator = bar == std::string::npos ? Integer(1) : whole_number(all.substr(bar + 1));
-  if (denominator == 0) {
+  if(denominator == 0)
+  {
     throw std::domain_error("a fraction with the denominator 0: '" + all + "'");
   }
   *this = Rational(Value{Fraction(numerator) / Fraction(denominator)});
@@ -81,20 +89,31 @@ Rational::Rational(const char* text) : Rational()
 
 Rational Rational::exactly(double x)
 {
-  if (!std::isfinite(x)) {
+  if(!std::isfinite(x))
+  {
     throw std::domain_error("only a finite double is a fraction");
   }
   return Rational(Value{Fraction(x)});
 }
 
-std::string Rational::numerator() const { return multiprecision::numerator(value_->fraction).str(); }
-std::string Rational::denominator() const { return multiprecision::denominator(value_->fraction).str(); }
-std::string Rational::str() const { return value_->fraction.str(); }
+std::string Rational::numerator() const
+{
+  return multiprecision::numerator(value_->fraction).str();
+}
+std::string Rational::denominator() const
+{
+  return multiprecision::denominator(value_->fraction).str();
+}
+std::string Rational::str() const
+{
+  return value_->fraction.str();
+}
 
 Rational::operator Fifty() const
 {
   const Fraction size = abs(value_->fraction);
-  if (size == 0) {
+  if(size == 0)
+  {
     return 0;
   }
   const auto [quotient, shift] =
@@ -106,7 +125,8 @@ Rational::operator Fifty() const
 Rational::operator double() const
 {
   const Fraction size = abs(value_->fraction);
-  if (size == 0) {
+  if(size == 0)
+  {
     return 0;
   }
   // A Fifty would round a first time: 70 bits with a sticky one pass through it unrounded.
@@ -133,27 +153,36 @@ Rational& Rational::operator*=(const Rational& y)
 
 Rational& Rational::operator/=(const Rational& y)
 {
-  if (y.value_->fraction == 0) {
+  if(y.value_->fraction == 0)
+  {
     throw std::domain_error("division of a fraction by zero");
   }
   return *this = Rational(Value{value_->fraction / y.value_->fraction});
 }
 
-bool operator==(const Rational& x, const Rational& y) { return x.value_->fraction == y.value_->fraction; }
+bool operator==(const Rational& x, const Rational& y)
+{
+  return x.value_->fraction == y.value_->fraction;
+}
 
 std::strong_ordering operator<=>(const Rational& x, const Rational& y)
 {
   return x.value_->fraction.compare(y.value_->fraction) <=> 0;
 }
 
-Rational abs(const Rational& x) { return x < 0 ? -x : x; }
+Rational abs(const Rational& x)
+{
+  return x < 0 ? -x : x;
+}
 
 Rational pow(const Rational& x, int n)
 {
   Rational power = 1;
   Rational square = n < 0 ? Rational(1) / x : x;
-  for (int left = n; left != 0; left /= 2) {
-    if (left % 2 != 0) {
+  for(int left = n; left != 0; left /= 2)
+  {
+    if(left % 2 != 0)
+    {
       power *= square;
     }
     square *= square;
@@ -165,7 +194,8 @@ Rational factorial(int n)
 {
   require_nonnegative(n, "factorial");
   Rational product = 1;
-  for (int i = 2; i <= n; ++i) {
+  for(int i = 2; i <= n; ++i)
+  {
     product *= i;
   }
   return product;
@@ -175,7 +205,8 @@ Rational double_factorial(int n)
 {
   require_nonnegative(n + 1, "double factorial");
   Rational product = 1;
-  for (int i = n; i > 1; i -= 2) {
+  for(int i = n; i > 1; i -= 2)
+  {
     product *= i;
   }
   return product;
@@ -191,7 +222,8 @@ Rational binomial(const Rational& x, int k)
 {
   require_nonnegative(k, "binomial coefficient with the lower number");
   Rational product = 1;
-  for (int i = 0; i < k; ++i) {
+  for(int i = 0; i < k; ++i)
+  {
     product *= (x - i) / (i + 1);
   }
   return product;
@@ -201,9 +233,11 @@ Rational bernoulli(int n)
 {
   require_nonnegative(n, "Bernoulli number");
   std::vector<Rational> b = {1};
-  for (int m = 1; m <= n; ++m) {
+  for(int m = 1; m <= n; ++m)
+  {
     Rational sum = 0;
-    for (int j = 0; j < m; ++j) {
+    for(int j = 0; j < m; ++j)
+    {
       sum += binomial(m + 1, j) * b[static_cast<std::size_t>(j)];
     }
     b.push_back(-sum / (m + 1));

@@ -6,7 +6,8 @@
 
 #include <memory>
 
-namespace exact {
+namespace exact
+{
 
 /**
  * A fraction of whole numbers of any size, always in lowest terms with a positive denominator.
@@ -14,15 +15,20 @@ namespace exact {
  * Source: `cpp_rational` of Boost.Multiprecision, which stays out of this header. A value is never changed
  * once made, so that copies share it.
  */
-class Rational {
+class Rational
+{
 public:
   Rational();  ///< Zero.
   /// A whole number.
   /// @{
   template <std::signed_integral Integer>
-  Rational(Integer n) : Rational(static_cast<long long>(n), 1LL) {}
+  Rational(Integer n) : Rational(static_cast<long long>(n), 1LL)
+  {
+  }
   template <std::unsigned_integral Integer>
-  Rational(Integer n) : Rational(std::to_string(n).c_str()) {}
+  Rational(Integer n) : Rational(std::to_string(n).c_str())
+  {
+  }
   /// @}
   Rational(bool) = delete;
   Rational(double) = delete;  ///< a double is a fraction with a power of two below: say so with `exactly`

@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-namespace exact {
+namespace exact
+{
 
 /**
  * A power series c₀ + c₁x + ... + cₙxⁿ + O(xⁿ⁺¹) of the known order n, or a polynomial, of `unlimited` order.
@@ -22,7 +23,8 @@ namespace exact {
  * itself be a series (in two variables: `Series<Series<Rational>>`) or a `Laurent` polynomial.
  */
 template <class Coefficient>
-class Series {
+class Series
+{
 public:
   /// The order of a polynomial: all its coefficients are known.
   static constexpr int unlimited = std::numeric_limits<int>::max();
@@ -39,10 +41,12 @@ public:
   explicit Series(std::vector<Coefficient> coefficients, int order = unlimited)
       : c_(std::move(coefficients)), order_(order)
   {
-    if (order < 0) {
+    if(order < 0)
+    {
       throw std::invalid_argument("a series needs an order of at least 0");
     }
-    if (order != unlimited) {
+    if(order != unlimited)
+    {
       c_.resize(static_cast<std::size_t>(order) + 1, Coefficient(0));
     }
   }
@@ -58,7 +62,8 @@ public:
   /// The coefficient of xⁿ. @throws std::out_of_range if it is not known
   Coefficient operator[](int n) const
   {
-    if (n < 0 || n > order_) {
+    if(n < 0 || n > order_)
+    {
       throw std::out_of_range("the series is known to order " + std::to_string(order_));
     }
     return n > degree() ? Coefficient(0) : c_[static_cast<std::size_t>(n)];
@@ -72,7 +77,8 @@ public:
   Point operator()(const Point& at) const
   {
     Point sum(0);
-    for (auto c = c_.rbegin(); c != c_.rend(); ++c) {
+    for(auto c = c_.rbegin(); c != c_.rend(); ++c)
+    {
       sum = sum * at + Point(*c);
     }
     return sum;
@@ -96,7 +102,8 @@ public:
   {
     const int last = std::max(a.degree(), b.degree());
     bool same = a.order_ == b.order_;
-    for (int n = 0; same && n <= last; ++n) {
+    for(int n = 0; same && n <= last; ++n)
+    {
       same = a[n] == b[n];
     }
     return same;
@@ -112,7 +119,8 @@ private:
   {
     Series result;
     result.order_ = std::min(order_, b.order_);
-    for (int n = 0; n <= last_known(std::max(degree(), b.degree()), result.order_); ++n) {
+    for(int n = 0; n <= last_known(std::max(degree(), b.degree()), result.order_); ++n)
+    {
       result.c_.push_back(operation((*this)[n], b[n]));
     }
     return result;
@@ -123,9 +131,11 @@ private:
     Series result;
     result.order_ = std::min(a.order_, b.order_);
     const int last = a.c_.empty() || b.c_.empty() ? -1 : a.degree() + b.degree();
-    for (int n = 0; n <= last_known(last, result.order_); ++n) {
+    for(int n = 0; n <= last_known(last, result.order_); ++n)
+    {
       Coefficient sum(0);
-      for (int i = std::max(0, n - b.degree()); i <= std::min(n, a.degree()); ++i) {
+      for(int i = std::max(0, n - b.degree()); i <= std::min(n, a.degree()); ++i)
+      {
         sum = sum + a[i] * b[n - i];
       }
       result.c_.push_back(sum);
@@ -137,31 +147,39 @@ private:
   static Series quotient(const Series& a, const Series& b)
   {
     int shift = 0;
-    while (shift <= b.degree() && b[shift] == Coefficient(0)) {
+    while(shift <= b.degree() && b[shift] == Coefficient(0))
+    {
       ++shift;
     }
-    if (shift > b.degree()) {
+    if(shift > b.degree())
+    {
       throw std::domain_error("division of a series by zero");
     }
     const int order = std::min(a.order_, b.order_);
     const bool exact = order == unlimited && shift == b.degree();
-    if (order == unlimited && !exact) {
+    if(order == unlimited && !exact)
+    {
       throw std::domain_error("the quotient of two polynomials needs an order");
     }
     const int last = exact ? a.degree() - shift : order - shift;
-    if (last < 0 && !exact) {
+    if(last < 0 && !exact)
+    {
       throw std::domain_error("nothing is known of the quotient");
     }
-    for (int n = 0; n < std::min(shift, a.degree() + 1); ++n) {
-      if (!(a[n] == Coefficient(0))) {
+    for(int n = 0; n < std::min(shift, a.degree() + 1); ++n)
+    {
+      if(!(a[n] == Coefficient(0)))
+      {
         throw std::domain_error("the quotient has negative powers");
       }
     }
     Series result;
     result.order_ = exact ? unlimited : order - shift;
-    for (int n = 0; n <= last; ++n) {
+    for(int n = 0; n <= last; ++n)
+    {
       Coefficient rest = a[n + shift];
-      for (int i = std::max(0, n + shift - b.degree()); i < n; ++i) {
+      for(int i = std::max(0, n + shift - b.degree()); i < n; ++i)
+      {
         rest = rest - result.c_[static_cast<std::size_t>(i)] * b[n + shift - i];
       }
       result.c_.push_back(rest / b[shift]);
@@ -178,11 +196,13 @@ template <class C>
 Series<C> derivative(const Series<C>& a)
 {
   const bool polynomial = a.order() == Series<C>::unlimited;
-  if (a.order() == 0) {
+  if(a.order() == 0)
+  {
     throw std::domain_error("the derivative of a series known to order 0 is not known");
   }
   std::vector<C> c;
-  for (int n = 1; n <= a.degree(); ++n) {
+  for(int n = 1; n <= a.degree(); ++n)
+  {
     c.push_back(C(n) * a[n]);
   }
   return Series<C>(std::move(c), polynomial ? a.order() : a.order() - 1);
@@ -194,7 +214,8 @@ Series<C> integral(const Series<C>& a)
 {
   const bool polynomial = a.order() == Series<C>::unlimited;
   std::vector<C> c = {C(0)};
-  for (int n = 0; n <= a.degree(); ++n) {
+  for(int n = 0; n <= a.degree(); ++n)
+  {
     c.push_back(a[n] / C(n + 1));
   }
   return Series<C>(std::move(c), polynomial ? a.order() : a.order() + 1);
@@ -205,7 +226,8 @@ template <class C>
 Series<C> pow(const Series<C>& a, int n)
 {
   Series<C> power = 1;
-  for (int i = 0; i < (n < 0 ? -n : n); ++i) {
+  for(int i = 0; i < (n < 0 ? -n : n); ++i)
+  {
     power *= a;
   }
   return n < 0 ? Series<C>(1) / power : power;
@@ -215,28 +237,33 @@ Series<C> pow(const Series<C>& a, int n)
 template <class C>
 Series<C> compose(const Series<C>& a, const Series<C>& b)
 {
-  if (a.order() != Series<C>::unlimited && !(b[0] == C(0))) {
+  if(a.order() != Series<C>::unlimited && !(b[0] == C(0)))
+  {
     throw std::domain_error("a truncated series can only take up a series without a constant term");
   }
   Series<C> sum;
-  for (int n = a.degree(); n >= 0; --n) {
+  for(int n = a.degree(); n >= 0; --n)
+  {
     sum = sum * b + Series<C>(a[n]);
   }
   return sum.truncated(a.order());
 }
 
-namespace formal {
+namespace formal
+{
 
 /// What the functions below ask for: an order to stop at, and the constant term that keeps all rational.
 template <class C>
 void require(const Series<C>& a, int constant, const char* function)
 {
-  if (a.order() == Series<C>::unlimited) {
+  if(a.order() == Series<C>::unlimited)
+  {
     throw std::domain_error(std::string(function) + " of a polynomial needs an order: use truncated()");
   }
-  if (!(a[0] == C(constant))) {
-    throw std::domain_error(std::string(function) + " of a series needs the constant term " +
-                            std::to_string(constant));
+  if(!(a[0] == C(constant)))
+  {
+    throw std::domain_error(std::string(function) + " of a series needs the constant term "
+                            + std::to_string(constant));
   }
 }
 
@@ -245,9 +272,11 @@ template <class C>
 Series<C> linear(const Series<C>& f, int order)
 {
   std::vector<C> y = {C(1)};
-  for (int n = 1; n <= order; ++n) {
+  for(int n = 1; n <= order; ++n)
+  {
     C sum(0);
-    for (int i = 0; i < n; ++i) {
+    for(int i = 0; i < n; ++i)
+    {
       sum = sum + f[n - 1 - i] * y[static_cast<std::size_t>(i)];
     }
     y.push_back(sum / C(n));
@@ -288,7 +317,8 @@ Series<C> sqrt(const Series<C>& a)
   return pow(a, C(1) / C(2));
 }
 
-namespace formal {
+namespace formal
+{
 
 /// The sine and the cosine together, from s' = a'c and c' = -a's.
 template <class C>
@@ -297,10 +327,12 @@ std::pair<Series<C>, Series<C>> sine_and_cosine(const Series<C>& a)
   require(a, 0, "sin and cos");
   std::vector<C> s = {C(0)};
   std::vector<C> c = {C(1)};
-  for (int n = 1; n <= a.order(); ++n) {
+  for(int n = 1; n <= a.order(); ++n)
+  {
     C ds(0);
     C dc(0);
-    for (int i = 1; i <= n; ++i) {
+    for(int i = 1; i <= n; ++i)
+    {
       const C slope = C(i) * a[i];
       ds = ds + slope * c[static_cast<std::size_t>(n - i)];
       dc = dc - slope * s[static_cast<std::size_t>(n - i)];
@@ -315,11 +347,17 @@ std::pair<Series<C>, Series<C>> sine_and_cosine(const Series<C>& a)
 
 /// sin a, for a without a constant term. @throws std::domain_error otherwise, or for a polynomial
 template <class C>
-Series<C> sin(const Series<C>& a) { return formal::sine_and_cosine(a).first; }
+Series<C> sin(const Series<C>& a)
+{
+  return formal::sine_and_cosine(a).first;
+}
 
 /// cos a, for a without a constant term. @throws std::domain_error otherwise, or for a polynomial
 template <class C>
-Series<C> cos(const Series<C>& a) { return formal::sine_and_cosine(a).second; }
+Series<C> cos(const Series<C>& a)
+{
+  return formal::sine_and_cosine(a).second;
+}
 
 /**
  * The series b with a(b(x)) = x, for a = c₁x + ..., c₁ ≠ 0, by Lagrange's theorem: n times the n-th
@@ -330,13 +368,15 @@ template <class C>
 Series<C> reverse(const Series<C>& a)
 {
   formal::require(a, 0, "the reverse");
-  if (a.order() == 0 || a[1] == C(0)) {
+  if(a.order() == 0 || a[1] == C(0))
+  {
     throw std::domain_error("the reverse of a series needs a linear term");
   }
   const Series<C> x_over_a = Series<C>::x(a.order()) / a;
   Series<C> power = 1;
   std::vector<C> b = {C(0)};
-  for (int n = 1; n <= a.order(); ++n) {
+  for(int n = 1; n <= a.order(); ++n)
+  {
     power *= x_over_a;
     b.push_back(power[n - 1] / C(n));
   }
@@ -347,10 +387,11 @@ Series<C> reverse(const Series<C>& a)
  * A polynomial in x and 1/x: a finite sum of cₙxⁿ over whole n of either sign.
  */
 template <class Coefficient>
-class Laurent {
+class Laurent
+{
 public:
-  Laurent() = default;  ///< Zero.
-  Laurent(int constant) : Laurent(Coefficient(constant), 0) {}  ///< A constant.
+  Laurent() = default;                                                      ///< Zero.
+  Laurent(int constant) : Laurent(Coefficient(constant), 0) {}              ///< A constant.
   Laurent(const Coefficient& c, int n = 0) : lowest_(n), c_{c} { trim(); }  ///< c xⁿ
 
   /// The lowest power; 0 for zero.
@@ -370,11 +411,13 @@ public:
   Point operator()(const Point& at) const
   {
     Point sum(0);
-    for (auto c = c_.rbegin(); c != c_.rend(); ++c) {
+    for(auto c = c_.rbegin(); c != c_.rend(); ++c)
+    {
       sum = sum * at + Point(*c);
     }
     const Point factor = lowest_ < 0 ? Point(1) / at : at;
-    for (int i = 0; i < (lowest_ < 0 ? -lowest_ : lowest_); ++i) {
+    for(int i = 0; i < (lowest_ < 0 ? -lowest_ : lowest_); ++i)
+    {
       sum = sum * factor;
     }
     return sum;
@@ -391,13 +434,16 @@ public:
   friend Laurent operator*(const Laurent& a, const Laurent& b)
   {
     Laurent result;
-    if (a.c_.empty() || b.c_.empty()) {
+    if(a.c_.empty() || b.c_.empty())
+    {
       return result;
     }
     result.lowest_ = a.lowest_ + b.lowest_;
     result.c_.assign(a.c_.size() + b.c_.size() - 1, Coefficient(0));
-    for (std::size_t i = 0; i < a.c_.size(); ++i) {
-      for (std::size_t j = 0; j < b.c_.size(); ++j) {
+    for(std::size_t i = 0; i < a.c_.size(); ++i)
+    {
+      for(std::size_t j = 0; j < b.c_.size(); ++j)
+      {
         result.c_[i + j] = result.c_[i + j] + a.c_[i] * b.c_[j];
       }
     }
@@ -414,7 +460,8 @@ public:
   /// By a single power of x. @throws std::domain_error if b is anything else
   friend Laurent operator/(const Laurent& a, const Laurent& b)
   {
-    if (b.c_.size() != 1) {
+    if(b.c_.size() != 1)
+    {
       throw std::domain_error("a Laurent polynomial is divided by a single power only");
     }
     return a * Laurent(Coefficient(1) / b.c_[0], -b.lowest_);
@@ -425,7 +472,8 @@ private:
   {
     Laurent result;
     result.lowest_ = std::min(a.lowest_, b.lowest_);
-    for (int n = result.lowest_; n <= std::max(a.highest(), b.highest()); ++n) {
+    for(int n = result.lowest_; n <= std::max(a.highest(), b.highest()); ++n)
+    {
       result.c_.push_back(a[n] + factor * b[n]);
     }
     result.trim();
@@ -435,7 +483,8 @@ private:
   // No zero coefficient at either end.
   void trim()
   {
-    while (!c_.empty() && c_.back() == Coefficient(0)) {
+    while(!c_.empty() && c_.back() == Coefficient(0))
+    {
       c_.pop_back();
     }
     const auto is_zero = [](const Coefficient& c) { return c == Coefficient(0); };
@@ -453,7 +502,8 @@ template <class C>
 Laurent<C> derivative(const Laurent<C>& a)
 {
   Laurent<C> sum;
-  for (int n = a.lowest(); n <= a.highest(); ++n) {
+  for(int n = a.lowest(); n <= a.highest(); ++n)
+  {
     sum += Laurent<C>(C(n) * a[n], n - 1);
   }
   return sum;
@@ -464,11 +514,13 @@ Laurent<C> derivative(const Laurent<C>& a)
 template <class C>
 Laurent<C> integral(const Laurent<C>& a)
 {
-  if (!(a[-1] == C(0))) {
+  if(!(a[-1] == C(0)))
+  {
     throw std::domain_error("the integral of 1/x is not a power");
   }
   Laurent<C> sum;
-  for (int n = a.lowest(); n <= a.highest(); ++n) {
+  for(int n = a.lowest(); n <= a.highest(); ++n)
+  {
     sum += n == -1 ? Laurent<C>() : Laurent<C>(a[n] / C(n + 1), n + 1);
   }
   return sum;

@@ -13,7 +13,7 @@ namespace
 double seconds_of(const Entrant& entrant, std::size_t repetitions)
 {
   const std::clock_t start = std::clock();
-  for (std::size_t i = 0; i < repetitions; ++i)
+  for(std::size_t i = 0; i < repetitions; ++i)
     entrant.run();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
@@ -22,7 +22,7 @@ double seconds_of(const Entrant& entrant, std::size_t repetitions)
 std::size_t repetitions_for(const Entrant& entrant, double seconds)
 {
   std::size_t repetitions = 1;
-  while (seconds_of(entrant, repetitions) < seconds && repetitions < (std::size_t{1} << 40))
+  while(seconds_of(entrant, repetitions) < seconds && repetitions < (std::size_t{1} << 40))
     repetitions *= 2;
   return repetitions;
 }
@@ -34,24 +34,24 @@ double median(std::vector<double> x)
   return x.size() % 2 == 1 ? x[half] : (x[half - 1] + x[half]) / 2;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
 {
-  if (options.rounds < 1)
+  if(options.rounds < 1)
     throw std::invalid_argument("race: at least one round is needed");
   std::vector<std::size_t> repetitions;
-  for (const Entrant& entrant : entrants)
+  for(const Entrant& entrant : entrants)
   {
-    if (entrant.evaluations == 0 || !entrant.run)
+    if(entrant.evaluations == 0 || !entrant.run)
       throw std::invalid_argument("race: " + entrant.name + " has nothing to run");
     repetitions.push_back(repetitions_for(entrant, options.seconds_per_turn));
   }
 
   const std::size_t n = entrants.size();
   std::vector<std::vector<double>> times(n);
-  for (std::size_t round = 0; round < static_cast<std::size_t>(options.rounds); ++round)
-    for (std::size_t turn = 0; turn < n; ++turn)
+  for(std::size_t round = 0; round < static_cast<std::size_t>(options.rounds); ++round)
+    for(std::size_t turn = 0; turn < n; ++turn)
     {
       const std::size_t i = (round + turn) % n;
       const auto evaluations = static_cast<double>(repetitions[i] * entrants[i].evaluations);
@@ -59,10 +59,10 @@ std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
     }
 
   std::vector<Timing> timings;
-  for (std::size_t i = 0; i < n; ++i)
+  for(std::size_t i = 0; i < n; ++i)
   {
     std::vector<double> ratios;
-    for (std::size_t round = 0; round < times[i].size(); ++round)
+    for(std::size_t round = 0; round < times[i].size(); ++round)
       ratios.push_back(times[i][round] / times[0][round]);
     const double fastest = *std::min_element(times[i].begin(), times[i].end());
     timings.push_back({entrants[i].name, median(times[i]), fastest, median(ratios)});
@@ -70,4 +70,4 @@ std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
   return timings;
 }
 
-} // namespace race
+}  // namespace race

@@ -18,25 +18,25 @@ namespace race
 /// One way to the result.
 struct Entrant
 {
-  std::string name;          ///< how it is called in the table
-  std::function<void()> run; ///< performs `evaluations` evaluations
-  std::size_t evaluations;   ///< how many evaluations one call of `run` makes, at least 1
+  std::string name;           ///< how it is called in the table
+  std::function<void()> run;  ///< performs `evaluations` evaluations
+  std::size_t evaluations;    ///< how many evaluations one call of `run` makes, at least 1
 };
 
 /// How long a race lasts.
 struct Options
 {
-  int rounds = 11;                ///< how many times each entrant has its turn, at least 1
-  double seconds_per_turn = 2e-3; ///< a turn repeats `run` until about this long has passed, at least once
+  int rounds = 11;                 ///< how many times each entrant has its turn, at least 1
+  double seconds_per_turn = 2e-3;  ///< a turn repeats `run` until about this long has passed, at least once
 };
 
 /// What was measured of one entrant.
 struct Timing
 {
-  std::string name; ///< the entrant's
-  double seconds;   ///< per evaluation, the median over the rounds
-  double fastest;   ///< per evaluation, in the best round
-  double ratio;     ///< its time over that of entrant 0, the median over the rounds
+  std::string name;  ///< the entrant's
+  double seconds;    ///< per evaluation, the median over the rounds
+  double fastest;    ///< per evaluation, in the best round
+  double ratio;      ///< its time over that of entrant 0, the median over the rounds
 };
 
 /// Times the entrants in interleaved rounds; the one who begins changes from round to round. Each is first
@@ -58,4 +58,4 @@ inline void forget(T& value)
   asm volatile("" : "+m"(value) : : "memory");
 }
 
-} // namespace race
+}  // namespace race
