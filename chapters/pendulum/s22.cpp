@@ -6,7 +6,7 @@
 #include "exact/quadrature.hpp"
 #include "pendulum/columns.hpp"
 
-SECTION(pendulum, 22, "The second column sums to l 2")
+SECTION(pendulum, 22, "The second column sums to l 2")
 
 using pendulum::D;
 

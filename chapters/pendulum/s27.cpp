@@ -3,7 +3,7 @@
 #include "pendulum/three_members.hpp"
 #include "swing/time.hpp"
 
-SECTION(pendulum, 27, "The third column sums to ¾ l 2")
+SECTION(pendulum, 27, "The third column sums to ¾ l 2")
 
 using pendulum::root_of, pendulum::W;
 
