@@ -29,22 +29,24 @@ double distance(double got, const Fifty& exact)
   return static_cast<double>(abs(Fifty(got) - exact));
 }
 
-// One amplitude, its motion and the oracle's, and how far Φ may be off in units of 2⁻⁵² ζ.
+// How far Φ may be off in units of 2⁻⁵² ζ, and Φ' in units of 2⁻⁵² 2k.
+constexpr double allowed = 3;
+
+// One amplitude, its motion and the oracle's.
 struct Case
 {
   Amplitude a;
   Motion motion;
   oracle::Motion exact;
-  double allowed;
 
   static Case zeta(double z)
   {
-    return {Amplitude::from_zeta(z), Motion(Amplitude::from_zeta(z)), oracle::Motion::from_zeta(z), 4};
+    return {Amplitude::from_zeta(z), Motion(Amplitude::from_zeta(z)), oracle::Motion::from_zeta(z)};
   }
   static Case eta(double e)
   {
     const Amplitude a = Amplitude::from_eta(e);
-    return {a, Motion(a), oracle::Motion::from_eta(e), e >= 1e-4 ? 4.0 : 8.0};
+    return {a, Motion(a), oracle::Motion::from_eta(e)};
   }
 
   double angle_error(double t) const
@@ -61,9 +63,9 @@ std::vector<Case> cases()
 {
   const double d = swing::pi_hi / 180;
   return {Case::zeta(1e-9),   Case::zeta(1e-5),    Case::zeta(1e-4),    Case::zeta(10 * d),
-          Case::zeta(45 * d), Case::zeta(60 * d),  Case::zeta(89 * d),  Case::zeta(right_angle),
+          Case::zeta(11 * d), Case::zeta(45 * d),  Case::zeta(89 * d),  Case::zeta(right_angle),
           Case::zeta(91 * d), Case::zeta(150 * d), Case::zeta(179 * d), Case::eta(1e-4),
-          Case::eta(1e-9),    Case::eta(1e-15),    Case::eta(1e-100),   Case::eta(1e-300)};
+          Case::eta(1e-9),    Case::eta(1e-15),    Case::eta(1e-100),   Case::eta(1e-307)};
 }
 
 } // namespace
@@ -85,8 +87,8 @@ TEST_CASE("Φ and Φ' at random times within 100 periods")
     CAPTURE(c.a.eta);
     CAPTURE(angle.at);
     CAPTURE(velocity.at);
-    CHECK(angle.error <= c.allowed);
-    CHECK(velocity.error <= c.allowed);
+    CHECK(angle.error <= allowed);
+    CHECK(velocity.error <= allowed);
   }
 }
 
@@ -112,8 +114,8 @@ TEST_CASE("the same after 10⁶ periods, and at t = 10¹²")
     CAPTURE(c.a.eta);
     CAPTURE(angle.at);
     CAPTURE(velocity.at);
-    CHECK(angle.error <= c.allowed);
-    CHECK(velocity.error <= c.allowed);
+    CHECK(angle.error <= allowed);
+    CHECK(velocity.error <= allowed);
   }
 }
 
@@ -134,8 +136,8 @@ TEST_CASE("at rest, at the bottom and one ulp beside them, after up to 10⁹ qua
     CAPTURE(c.a.eta);
     CAPTURE(angle.at);
     CAPTURE(velocity.at);
-    CHECK(angle.error <= c.allowed);
-    CHECK(velocity.error <= c.allowed);
+    CHECK(angle.error <= allowed);
+    CHECK(velocity.error <= allowed);
     CHECK(c.motion.angle(0) == 0);
     CHECK(exact::ulps(c.motion.velocity(0), Fifty(2) * sin(Fifty(c.a.zeta) / Fifty(2))) <= 4);
     // Φ(T/4) = ζ; there Φ is flat, so that the double nearest to T/4 is as good as T/4.
@@ -221,14 +223,14 @@ TEST_CASE("from rest it is the motion from the bottom a quarter period later")
     }
     CAPTURE(c.a.zeta);
     CAPTURE(c.a.eta);
-    CHECK(angle.error <= c.allowed);
-    CHECK(velocity.error <= c.allowed);
+    CHECK(angle.error <= allowed);
+    CHECK(velocity.error <= allowed);
   }
 }
 
 TEST_CASE("from rest at η = 10⁻⁹ the angle from the top grows as η cosh t, to its last digits")
 {
-  for (double eta : {1e-3, 1e-9, 1e-15, 1e-200})
+  for (double eta : {1e-3, 1e-9, 1e-15, 1e-200, 1e-307})
   {
     const Motion m(Amplitude::from_eta(eta), Start::rest);
     const auto exact = oracle::Motion::from_eta(eta);
@@ -238,9 +240,7 @@ TEST_CASE("from rest at η = 10⁻⁹ the angle from the top grows as η cosh t,
       const Fifty psi = exact.angle_from_top(Fifty(t) + exact.quarter());
       CAPTURE(eta);
       CAPTURE(t);
-      // e^v with v = ½ ln(1/q') large: its argument is rounded, a relative v·2⁻⁵³.
-      const double v = -std::log(eta) + 3;
-      CHECK(std::abs(distance(m.angle_from_top(t), psi)) <= (4 + v) * epsilon * static_cast<double>(psi));
+      CHECK(distance(m.angle_from_top(t), psi) <= 4 * epsilon * static_cast<double>(psi));
     }
   }
 }
@@ -284,9 +284,9 @@ TEST_CASE("going round, from hardly over the top to very fast")
     CAPTURE(excess);
     CAPTURE(angle.at);
     CAPTURE(velocity.at);
-    CHECK(angle.error <= 4);
-    CHECK(velocity.error <= 4);
-    CHECK(exact::ulps(m.period(), Fifty(2) * exact.quarter()) <= 2);
+    CHECK(angle.error <= allowed);
+    CHECK(velocity.error <= allowed);
+    CHECK(exact::ulps(m.period(), Fifty(2) * exact.quarter()) <= 1);
     CHECK(m.angle(0) == 0);
   }
   for (double bad : {0.0, -1.0, not_a_number, std::numeric_limits<double>::infinity()})

@@ -1,18 +1,17 @@
 // Compiled once for each instruction set, with SWING_VARIANT naming it; see kernels.hpp. Everything but the
-// last function has internal linkage and nothing inline is taken from a library, so that no code made for one
-// processor can be picked by the linker for another. Each function is free of branches: the compiler works on
-// many numbers at once.
+// last object has internal linkage and nothing inline is taken from a library, so that no code made for one
+// processor can be picked by the linker for another. What is computed for one number is free of branches: the
+// compiler works on many numbers at once.
 #include "swing/kernels.hpp"
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 
-#include "swing/time.hpp"
-#include "swing_tables.hpp"
+#include "swing/rows.hpp"
 
 #define SWING_TEXT(x) #x
 #define SWING_NAME(x) SWING_TEXT(x)
-#define SWING_INLINE [[gnu::always_inline]] inline
 
 namespace swing::kernels
 {
@@ -21,16 +20,11 @@ namespace
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using rows::bits_of;
+using rows::from_bits;
+
 constexpr std::uint64_t sign_bit = 0x8000000000000000;
 
-SWING_INLINE std::uint64_t bits_of(double x)
-{
-  return __builtin_bit_cast(std::uint64_t, x);
-}
-SWING_INLINE double from_bits(std::uint64_t b)
-{
-  return __builtin_bit_cast(double, b);
-}
 SWING_INLINE double magnitude(double x)
 {
   return from_bits(bits_of(x) & ~sign_bit);
@@ -40,22 +34,31 @@ SWING_INLINE double with_sign(double x, std::uint64_t sign)
   return from_bits(bits_of(x) ^ sign);
 }
 
-// c[first] + c[first + step] x + …, unrolled.
+// c[first] + c[first + step] x + … of the first n coefficients, unrolled.
 template <unsigned first, unsigned step, unsigned n>
-SWING_INLINE double horner(const double (&c)[n], double x)
+SWING_INLINE double horner(const double* c, double x)
 {
   if constexpr (first + step < n)
-    return c[first] + x * horner<first + step, step>(c, x);
+    return c[first] + x * horner<first + step, step, n>(c, x);
   else
     return c[first];
 }
 
 // c[0] + c[1] x + …, the even and the odd powers apart: half the wait for one multiplication more.
 template <unsigned n>
+SWING_INLINE double polynomial(const double* c, double x)
+{
+  return horner<0, 2, n>(c, x * x) + x * horner<1, 2, n>(c, x * x);
+}
+template <unsigned n>
 SWING_INLINE double polynomial(const double (&c)[n], double x)
 {
-  return horner<0, 2>(c, x * x) + x * horner<1, 2>(c, x * x);
+  return polynomial<n>(&c[0], x);
 }
+
+// Through a long computation the numbers go step by step, so many in one step before the next begins: of a
+// short one the processor has several under way, of a long one it waits for each result.
+constexpr std::size_t block = 128;
 
 // A number and what it was rounded by, so small that its effect need only be known to a few digits.
 struct Part
@@ -69,95 +72,6 @@ SWING_INLINE double sine_of_turns(Part r)
 {
   const double x = r.value * r.value;
   return r.value + (r.lost * (1 - 4 * x) + (r.value * x) * polynomial(tables::sine_of_turns, x));
-}
-
-// sin ½a for 0 ≤ a ≤ π.
-SWING_INLINE double sine_of_half(double a)
-{
-  const double x = a * a;
-  return a * (0.5 + x * polynomial(tables::sine_of_half, x));
-}
-
-// ln x = e ln 2 + rest, |rest| ≤ ½ ln 2; x a normal positive number.
-struct Log
-{
-  double e;
-  double rest;
-};
-
-SWING_INLINE Log log_of(double x)
-{
-  constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;
-  constexpr std::uint64_t one = 0x3ff0000000000000;
-  const std::uint64_t shifted = bits_of(x) + (one - root_half);
-  const double e = from_bits((shifted >> 52) | 0x4330000000000000) - (0x1p52 + 1023);
-  const double z = from_bits((shifted & 0x000fffffffffffff) + root_half);
-  const double s = (z - 1) / (z + 1);
-  const double x2 = s * s;
-  return {e, s * (2 + x2 * polynomial(tables::log_of_quotient, x2))};
-}
-
-// What K, or K·2/π, is made of besides a sum of small terms: ln 4 and ln 2 in that unit, the leading parts
-// with so few digits that ln 4 − e ln 2 is free of error.
-struct Unit
-{
-  double one;
-  double ln4_hi;
-  double ln4_lo;
-  double ln2_hi;
-  double ln2_lo;
-};
-
-constexpr Unit plain{1, tables::ln4_hi, tables::ln4_lo, tables::ln2_hi, tables::ln2_lo};
-constexpr Unit quarter_turns{tables::two_over_pi_hi, tables::ratio_ln4_hi, tables::ratio_ln4_lo,
-                             tables::ratio_ln2_hi, tables::ratio_ln2_lo};
-
-// With ln m = power·ln kc, the logarithm being the one of kc or of m as `power` is 2 or 1: m = kc² in either
-// case.
-SWING_INLINE double K_formula(const Unit& unit, double m, Log log, double power)
-{
-  const double to_kc = power / 2;
-  const double e = to_kc * log.e;
-  const double ln_m = power * (log.e * (tables::ln2_hi + tables::ln2_lo) + log.rest);
-  const double correction = m * (polynomial(tables::K_plain, m) - ln_m * polynomial(tables::K_with_log, m));
-  return (unit.ln4_hi - e * unit.ln2_hi) +
-         ((unit.ln4_lo - e * unit.ln2_lo) + unit.one * (correction - to_kc * log.rest));
-}
-
-SWING_INLINE double K_of_modulus(double k)
-{
-  const double m = (1 - k) * (1 + k);
-  const double K = K_formula(plain, m, log_of(m), 1);
-  return m > 0 ? K : m == 0 ? inf : nan;
-}
-
-// Subnormal numbers are made normal before their logarithm is taken.
-constexpr double tiny = 0x1p-1000;
-
-SWING_INLINE double K_of_sine(const Unit& unit, double kc, double lift)
-{
-  Log log = log_of(kc);
-  log.e -= lift;
-  return K_formula(unit, lift > 0 ? 0 : kc * kc, log, 2);
-}
-
-SWING_INLINE double K_of_complement(double kc)
-{
-  const bool lifted = kc < tiny;
-  const double K = K_of_sine(plain, lifted ? kc * 0x1p60 : kc, lifted ? 60 : 0);
-  return kc > 0 && kc <= 1 ? K : kc == 0 ? inf : nan;
-}
-
-SWING_INLINE double ratio_of_eta(double eta)
-{
-  const bool lifted = eta < tiny;
-  const double ratio = K_of_sine(quarter_turns, sine_of_half(lifted ? eta * 0x1p60 : eta), lifted ? 60 : 0);
-  return eta > 0 && eta <= pi_hi ? ratio : eta == 0 ? inf : nan;
-}
-
-SWING_INLINE double ratio_of_zeta(double zeta)
-{
-  return zeta >= 0 && zeta <= pi_hi ? ratio_of_eta((pi_hi - zeta) + pi_lo) : nan;
 }
 
 // e⁻ˣ − 1 and e⁻ˣ for 0 ≤ x ≤ 700.
@@ -178,31 +92,19 @@ SWING_INLINE Exponential exponential_of_minus(Part x)
   return {(scale - 1) + scale * p, scale + scale * p};
 }
 
-// 2 arctan (y/x) for x, y ≥ 0, not both zero.
+// 2 arctan (y/x) for x, y ≥ 0, not both zero: from 0, ½π or π, whichever is the nearest.
 SWING_INLINE double twice_arc_tangent(double y, double x)
 {
   constexpr double tangent_of_eighth = 0.41421356237309503;
-  const bool steep = y > x;
-  const double lesser = steep ? x : y;
-  const double greater = steep ? y : x;
-  const bool middle = lesser > tangent_of_eighth * greater;
-  const double s = (middle ? lesser - greater : lesser) / (middle ? lesser + greater : greater);
+  const double difference = y - x;
+  const double sum = y + x;
+  const bool steep = difference > 0;
+  const bool middle = magnitude(difference) < tangent_of_eighth * sum;
+  const double s = (middle ? difference : steep ? -x : y) / (middle ? sum : steep ? y : x);
   const double x2 = s * s;
-  const double rest = 2 * (s + s * x2 * polynomial(tables::arc_tangent, x2));
-  const double hi = middle ? pi_hi / 2 : steep ? pi_hi : 0;
-  const double lo = middle ? pi_lo / 2 : steep ? pi_lo : 0;
-  return hi + (lo + (steep ? -rest : rest));
+  const double from = middle ? pi_hi / 2 : steep ? pi_hi : 0;
+  return from + (from * (pi_lo / pi_hi) + 2 * (s + s * x2 * polynomial(tables::arc_tangent, x2)));
 }
-
-// Where in its half swing the pendulum is: the time is n half swings and r of one, |r| ≤ ½.
-struct Phase
-{
-  Part from_bottom;   // |r|
-  Part to_rest;       // ½ − |r|
-  std::uint64_t sign; // of r
-  double n;
-  std::uint64_t parity; // the sign that an odd n gives
-};
 
 // The upper 26 bits of x.
 SWING_INLINE double head_of(double x)
@@ -220,48 +122,246 @@ SWING_INLINE Part product_of(double x, double y, double y_head, double y_tail)
   return {product, ((head * y_head - product) + head * y_tail + tail * y_head) + tail * y_tail};
 }
 
-// The product t·f is formed exactly; n is taken off before the rest is added.
-SWING_INLINE Phase phase_of(const Prepared& p, double t)
+// As many numbers as a register holds.
+#if defined(__AVX512F__)
+constexpr unsigned width = 8;
+#elif defined(__AVX__)
+constexpr unsigned width = 4;
+#else
+constexpr unsigned width = 2;
+#endif
+using Wide = double __attribute__((vector_size(width * sizeof(double))));
+
+SWING_INLINE Wide load(const double* x)
 {
-  const Part product = product_of(t, p.f_hi, p.f_head, p.f_tail);
-  const double lost = product.lost + t * p.f_lo;
-  const double shifted = product.value + 0x1.8p52;
-  const double n = shifted - 0x1.8p52;
-  const double whole = product.value - n;
-  const double r = whole + lost;
-  const std::uint64_t sign = bits_of(r) & sign_bit;
-  const Part from_bottom{with_sign(r, sign), with_sign((whole - r) + lost, sign)};
-  const double left = 0.5 - from_bottom.value;
-  const double to_rest = left - from_bottom.lost;
-  return {from_bottom, {to_rest, (left - to_rest) - from_bottom.lost}, sign, n, bits_of(shifted) << 63};
+  Wide wide;
+  __builtin_memcpy(&wide, x, sizeof wide);
+  return wide;
 }
 
-// A positive quotient, its tangent or its value being what is asked.
-struct Quotient
+// Of a and b number by number in turn those in even places, and those in odd places.
+template <unsigned... i>
+SWING_INLINE void exchange_numbers(Wide& a, Wide& b, std::integer_sequence<unsigned, i...>)
 {
-  double above;
-  double below;
+  const Wide first = a;
+  a = __builtin_shufflevector(first, b, (i % 2 == 0 ? i : width + i - 1)...);
+  b = __builtin_shufflevector(first, b, (i % 2 == 0 ? i + 1 : width + i)...);
+}
+
+// Of a and then b the pairs in even places, and those in odd places.
+template <unsigned... i>
+SWING_INLINE void exchange_pairs(Wide& a, Wide& b, std::integer_sequence<unsigned, i...>)
+{
+  const Wide first = a;
+  a = __builtin_shufflevector(first, b, (i / 2 * 4 + i % 2)...);
+  b = __builtin_shufflevector(first, b, (i / 2 * 4 + i % 2 + 2)...);
+}
+
+// Transposes a square: first within the pairs, then the pairs, each time between the rows whose numbers
+// differ by `distance`.
+template <unsigned distance = 1>
+SWING_INLINE void transpose(Wide* row)
+{
+  constexpr std::make_integer_sequence<unsigned, width> places{};
+#pragma GCC unroll 8
+  for (unsigned i = 0; i < width; ++i)
+    if ((i & distance) == 0)
+    {
+      if constexpr (distance == 1)
+        exchange_numbers(row[i], row[i + distance], places);
+      else
+        exchange_pairs(row[i], row[i + distance], places);
+    }
+  if constexpr (2 * distance < width)
+    transpose<2 * distance>(row);
+}
+
+// The numbers j of the next `width` rows as column[j]. This is much faster than to gather them one by one.
+SWING_INLINE void read_columns(const double* table, const std::uint64_t* row, Wide* column)
+{
+#pragma GCC unroll 8
+  for (unsigned j = 0; j < tables::row_length; j += width)
+  {
+#pragma GCC unroll 8
+    for (unsigned i = 0; i < width; ++i)
+      column[j + i] = load(table + row[i] + j);
+    transpose(column + j);
+  }
+}
+
+// What of a block is known before the table is read.
+struct Arguments
+{
+  alignas(64) double given[block] = {};
+  alignas(64) double lost[block] = {};
+  alignas(64) double doubled[block] = {};
+  alignas(64) double doublings[block] = {};
+  alignas(64) std::uint64_t row[block] = {};
 };
 
-// Below 90°: tan ½Φ = C θ₁(z)/θ₃(z) with z = πr.
+template <class Table>
+SWING_INLINE double in_domain(double x)
+{
+  return x > 0 && x <= Table::last ? x : 1;
+}
+
+// Each argument's row, and whether some arguments lie below the table.
+template <class Kernel>
+SWING_INLINE bool find_rows(const double* in, Arguments& a, std::size_t size)
+{
+  using Table = typename Kernel::Table;
+  std::uint64_t below = 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const double x = Kernel::argument(in[i]);
+    const double inside = in_domain<Table>(x);
+    a.given[i] = x;
+    a.row[i] = rows::row_of<Table>(inside);
+    if constexpr (Kernel::inexact)
+      a.lost[i] = Kernel::lost(in[i]);
+    below |= inside < Table::start;
+  }
+  return below != 0;
+}
+
+// Where some do, all are doubled until they do not.
+template <class Kernel>
+SWING_INLINE void find_rows_doubled(Arguments& a, std::size_t size)
+{
+  using Table = typename Kernel::Table;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const rows::Doubled d = rows::doubled<Table>(in_domain<Table>(a.given[i]), a.lost[i]);
+    a.doubled[i] = d.x;
+    a.lost[i] = d.lost;
+    a.doublings[i] = d.n;
+    a.row[i] = rows::row_of<Table>(d.x);
+  }
+}
+
+// The values by their rows, as many at once as a register holds.
+template <class Kernel, bool doubled>
+SWING_INLINE void read_rows(const Arguments& a, double* out, std::size_t size)
+{
+  using Table = typename Kernel::Table;
+  for (std::size_t i = 0; i < size; i += width)
+  {
+    Wide c[tables::row_length];
+    read_columns(Table::rows, a.row + i, c);
+    const Wide given = load(a.given + i);
+    Wide t = (doubled ? load(a.doubled + i) : given) - c[0];
+    if constexpr (Kernel::inexact)
+      t += load(a.lost + i);
+    rows::Sum<Wide> sum{c[1], rows::beyond_centre(c, t)};
+    if constexpr (doubled)
+      sum = rows::halved<Table>(sum, load(a.doublings + i));
+    const Wide outside = given == 0 ? Wide{} + inf : Wide{} + nan;
+    const Wide value = ((given > 0) & (given <= Table::last)) ? sum.main + sum.rest : outside;
+    if (size - i >= width)
+      __builtin_memcpy(out + i, &value, sizeof value);
+    else
+      for (std::size_t j = i; j < size; ++j)
+        out[j] = value[j - i];
+  }
+}
+
+template <class Kernel>
+void table_loop(const double* in, double* out, std::size_t n)
+{
+  Arguments a;
+  for (std::size_t start = 0; start < n; start += block)
+  {
+    const std::size_t size = n - start < block ? n - start : block;
+    const bool below = find_rows<Kernel>(in + start, a, size);
+    if constexpr (Kernel::endless)
+      if (below)
+      {
+        find_rows_doubled<Kernel>(a, size);
+        read_rows<Kernel, true>(a, out + start, size);
+        continue;
+      }
+    read_rows<Kernel, false>(a, out + start, size);
+  }
+}
+
+// What a table is asked for, from what is given: `inexact` with what that lacks, `endless` where it may lie
+// below the table.
+struct By_modulus
+{
+  using Table = rows::K_by_modulus;
+  static constexpr bool inexact = false;
+  static constexpr bool endless = false;
+  SWING_INLINE static double argument(double k) { return 1 - magnitude(k); }
+};
+
+template <class Of>
+struct As_given
+{
+  using Table = Of;
+  static constexpr bool inexact = false;
+  static constexpr bool endless = true;
+  SWING_INLINE static double argument(double x) { return x; }
+};
+
+struct By_zeta
+{
+  using Table = rows::Ratio_by_eta;
+  static constexpr bool inexact = true;
+  static constexpr bool endless = true;
+  SWING_INLINE static double argument(double zeta) { return zeta >= 0 ? (pi_hi - zeta) + pi_lo : nan; }
+  SWING_INLINE static double lost(double zeta) { return ((pi_hi - zeta) - argument(zeta)) + pi_lo; }
+};
+
+// scale · (sin z / π) (1 + c₀ x + …), z = πr and x = (sin z / π)².
+template <unsigned terms>
+SWING_INLINE double sine_series(double scale, double scale_lost, const double* c, Part r)
+{
+  const double s = sine_of_turns(r);
+  const double main = scale * s;
+  return main + main * (scale_lost + (s * s) * polynomial<terms>(c, s * s));
+}
+
+// Up to 90°: Φ is such a series, and Φ' one of the same kind with z counted from rest.
+template <unsigned terms>
 struct Low
 {
-  SWING_INLINE static Quotient tangent(const Prepared& p, Part r, Part)
+  SWING_INLINE static double angle(const Prepared& p, Part r, Part)
   {
-    const double s = sine_of_turns(r);
-    const double x = s * s;
-    const double main = p.angle_scale * s;
-    return {main + main * (p.angle_scale_lost + x * horner<0, 1>(p.n, x)), 1 + x * horner<0, 1>(p.d, x)};
+    return sine_series<terms>(p.angle_scale, p.angle_scale_lost, p.angle_series, r);
   }
-  // Φ'(r) = 2kc tan ½Φ(½ − r). The quotient is 1 + y, and y is so small that what it is rounded by hardly
-  // counts.
+  SWING_INLINE static double from_top(const Prepared& p, Part r, Part to_rest)
+  {
+    return (pi_hi - angle(p, r, to_rest)) + pi_lo;
+  }
   SWING_INLINE static double speed(const Prepared& p, Part, Part to_rest)
   {
-    const double s = sine_of_turns(to_rest);
-    const double x = s * s;
-    const double main = p.velocity_scale * s;
-    const double y = x * horner<0, 1>(p.p, x) / (1 + x * horner<0, 1>(p.d, x));
-    return main + main * (p.velocity_scale_lost + y);
+    return sine_series<terms>(p.velocity_scale, p.velocity_scale_lost, p.velocity_series, to_rest);
+  }
+};
+
+// Revolving with much energy: Φ = 2z + sin z cos z · (c₀ + c₁ x + …), and Φ' goes as 1 + c₀ x + …
+struct Fast
+{
+  SWING_INLINE static double beyond_mean(const Prepared& p, Part r, Part to_top)
+  {
+    const double s = sine_of_turns(r);
+    return s * sine_of_turns(to_top) * polynomial(p.angle_series, s * s);
+  }
+  SWING_INLINE static double angle(const Prepared& p, Part r, Part to_top)
+  {
+    return r.value * (2 * pi_hi) +
+           (r.value * (2 * pi_lo) + r.lost * (2 * pi_hi) + beyond_mean(p, r, to_top));
+  }
+  SWING_INLINE static double from_top(const Prepared& p, Part r, Part to_top)
+  {
+    return to_top.value * (2 * pi_hi) +
+           (to_top.value * (2 * pi_lo) + to_top.lost * (2 * pi_hi) - beyond_mean(p, r, to_top));
+  }
+  SWING_INLINE static double speed(const Prepared& p, Part r, Part)
+  {
+    const double s = sine_of_turns(r);
+    return p.velocity_scale +
+           p.velocity_scale * (p.velocity_scale_lost + (s * s) * polynomial(p.velocity_series, s * s));
   }
 };
 
@@ -275,49 +375,68 @@ struct Theta
   double one_minus_H;
 };
 
+// With all their digits, 1 − G and 1 − H too: from the nearer end of the half swing.
 SWING_INLINE Theta theta_of(const Prepared& p, Part r, Part to_rest)
 {
   const bool upper = to_rest.value < r.value;
   const double nearer = upper ? to_rest.value : r.value;
-  const double nearer_lost = upper ? to_rest.lost : r.lost;
-  const Part v = product_of(nearer, p.log_q, p.log_q_head, p.log_q_tail);
+  const double lost = upper ? to_rest.lost : r.lost;
+  const Part v = product_of(nearer, p.log_q_hi, p.log_q_head, p.log_q_tail);
   const bool far_down = v.value > 700;
-  const Exponential e =
-      exponential_of_minus({far_down ? 700 : v.value, far_down ? 0 : v.lost + nearer_lost * p.log_q});
+  const double v_lost = v.lost + (lost * p.log_q_hi + nearer * p.log_q_lo);
+  const Exponential e = exponential_of_minus({far_down ? 700 : v.value, far_down ? 0 : v_lost});
   const double other = p.root_q / e.value;
   const double near = -e.minus_one * (2 + e.minus_one);
   const double far = (1 - other) * (1 + other);
   return {upper ? other : e.value, upper ? e.value : other, upper ? far : near, upper ? near : far};
 }
 
+// Fewer digits suffice for Φ: the error of v does not count where g is small. So v may be taken from the
+// bottom all the way.
+SWING_INLINE Theta theta_from_bottom(const Prepared& p, Part r)
+{
+  const double v = r.value * p.log_q_hi;
+  const bool far_down = v > 700;
+  const Exponential e = exponential_of_minus({far_down ? 700 : v, far_down ? 0 : r.lost * p.log_q_hi});
+  const double h = p.root_q / e.value;
+  return {e.value, h, -e.minus_one * (2 + e.minus_one), (1 - h) * (1 + h)};
+}
+
 // What remains of a theta function when its first factor, 1 ± G or 1 ± H, is taken out, is 1 and this:
-// y (1 + x + x²) + q² y² (1 + x + … + x⁴) + q⁶ y³ (1 + x + … + x⁶).
+// y (1 + x + x²) + q² y² (1 + x + … + x⁴) + q⁶ y³ (1 + x + … + x⁶). In the last term, which is less than q⁹,
+// x⁵ and x⁶ no longer count; and with q' < 2⁻¹⁴ the first term suffices.
+template <int terms>
 SWING_INLINE double beyond_one(const Prepared& p, double x, double y)
 {
   const double three = 1 + x * (1 + x);
+  if constexpr (terms == 1)
+    return y * three;
   const double five = 1 + x * (1 + x * three);
-  const double seven = 1 + x * (1 + x * five);
   const double q2 = p.q * p.q;
-  return y * (three + (y * q2) * (five + (y * q2 * q2) * seven));
+  return y * (three + (y * q2) * (five + (y * q2 * q2) * five));
 }
 
 // The cofactors of θ₁ … θ₄, less 1; their first factors are 1 − G, 1 + G, 1 + H and 1 − H.
-SWING_INLINE double cofactor_1(const Prepared& p, const Theta& t)
+template <int terms>
+struct Cofactors
 {
-  return beyond_one(p, t.g * t.g, -p.q * (t.h * t.h));
-}
-SWING_INLINE double cofactor_2(const Prepared& p, const Theta& t)
-{
-  return beyond_one(p, -(t.g * t.g), p.q * (t.h * t.h));
-}
-SWING_INLINE double cofactor_3(const Prepared& p, const Theta& t)
-{
-  return beyond_one(p, -(t.h * t.h), p.q * (t.g * t.g));
-}
-SWING_INLINE double cofactor_4(const Prepared& p, const Theta& t)
-{
-  return beyond_one(p, t.h * t.h, -p.q * (t.g * t.g));
-}
+  SWING_INLINE static double of_1(const Prepared& p, const Theta& t)
+  {
+    return beyond_one<terms>(p, t.g * t.g, -p.q * (t.h * t.h));
+  }
+  SWING_INLINE static double of_2(const Prepared& p, const Theta& t)
+  {
+    return beyond_one<terms>(p, -(t.g * t.g), p.q * (t.h * t.h));
+  }
+  SWING_INLINE static double of_3(const Prepared& p, const Theta& t)
+  {
+    return beyond_one<terms>(p, -(t.h * t.h), p.q * (t.g * t.g));
+  }
+  SWING_INLINE static double of_4(const Prepared& p, const Theta& t)
+  {
+    return beyond_one<terms>(p, t.h * t.h, -p.q * (t.g * t.g));
+  }
+};
 
 // main·(1 + a)/(1 + b) and what the factor in it was rounded by, where a and b are small.
 SWING_INLINE double nearly(const Prepared& p, double main, double a, double b)
@@ -325,143 +444,247 @@ SWING_INLINE double nearly(const Prepared& p, double main, double a, double b)
   return main + main * (p.velocity_scale_lost + (a - b) / (1 + b));
 }
 
-// Above 90°: the same quotient in the dual nome, where it is one of hyperbolic functions.
+// A positive quotient, the tangent of ½Φ.
+struct Quotient
+{
+  double above;
+  double below;
+};
+
+// Above 90°: C θ₁/θ₃ of the dual nome.
+template <int terms>
 struct High
 {
-  SWING_INLINE static Quotient tangent(const Prepared& p, Part r, Part to_rest)
+  SWING_INLINE static Theta theta(const Prepared& p, Part r, Part)
   {
-    const Theta t = theta_of(p, r, to_rest);
-    return {p.angle_scale * (t.one_minus_G * (1 + cofactor_1(p, t))),
-            t.g * ((1 + t.h * t.h) * (1 + cofactor_3(p, t)))};
+    return theta_from_bottom(p, r);
   }
-  SWING_INLINE static double speed(const Prepared& p, Part r, Part to_rest)
+  SWING_INLINE static Quotient tangent(const Prepared& p, const Theta& t)
   {
-    const Theta t = theta_of(p, r, to_rest);
+    return {p.angle_scale * (t.one_minus_G * (1 + Cofactors<terms>::of_1(p, t))),
+            t.g * ((1 + t.h * t.h) * (1 + Cofactors<terms>::of_3(p, t)))};
+  }
+  SWING_INLINE static double speed(const Prepared& p, const Theta& t)
+  {
     const double main = p.velocity_scale * (t.g * t.one_minus_H / (1 + t.g * t.g));
-    return nearly(p, main, cofactor_4(p, t), cofactor_2(p, t));
+    return nearly(p, main, Cofactors<terms>::of_4(p, t), Cofactors<terms>::of_2(p, t));
   }
 };
 
-// Revolving: Φ = 2 am, tan ½Φ = C θ₁(z)/θ₂(z), and Φ' goes as θ₃/θ₄.
-struct Fast
-{
-  SWING_INLINE static Quotient tangent(const Prepared& p, Part r, Part to_top)
-  {
-    const double s = sine_of_turns(r);
-    const double c = sine_of_turns(to_top);
-    const double above = s * (1 + (s * s) * horner<0, 1>(p.n, s * s));
-    return {p.angle_scale * above, c * (1 + (c * c) * horner<0, 1>(p.n, c * c))};
-  }
-  SWING_INLINE static double speed(const Prepared& p, Part r, Part to_top)
-  {
-    const double s = sine_of_turns(r);
-    const double c = sine_of_turns(to_top);
-    const double above = 1 + (s * s) * horner<0, 1>(p.d, s * s);
-    return p.velocity_scale * (above / (1 + (c * c) * horner<0, 1>(p.d, c * c)));
-  }
-};
-
-// The same in the dual nome.
+// Revolving with little energy: C θ₁/θ₄ of the dual nome, and Φ' goes as θ₃/θ₂.
 struct Barely
 {
-  SWING_INLINE static Quotient tangent(const Prepared& p, Part r, Part to_top)
+  SWING_INLINE static Theta theta(const Prepared& p, Part r, Part to_top)
   {
-    const Theta t = theta_of(p, r, to_top);
-    return {p.angle_scale * (t.one_minus_G * (1 + cofactor_1(p, t))),
-            t.g * (t.one_minus_H * (1 + cofactor_4(p, t)))};
+    return theta_of(p, r, to_top);
   }
-  SWING_INLINE static double speed(const Prepared& p, Part r, Part to_top)
+  SWING_INLINE static Quotient tangent(const Prepared& p, const Theta& t)
   {
-    const Theta t = theta_of(p, r, to_top);
+    return {p.angle_scale * (t.one_minus_G * (1 + Cofactors<3>::of_1(p, t))),
+            t.g * (t.one_minus_H * (1 + Cofactors<3>::of_4(p, t)))};
+  }
+  SWING_INLINE static double speed(const Prepared& p, const Theta& t)
+  {
     const double main = p.velocity_scale * (t.g * (1 + t.h * t.h) / (1 + t.g * t.g));
-    return nearly(p, main, cofactor_3(p, t), cofactor_2(p, t));
+    return nearly(p, main, Cofactors<3>::of_3(p, t), Cofactors<3>::of_2(p, t));
   }
 };
 
-// Swinging, the clock started at the bottom or at rest: there Φ is even and what is left to the bottom takes
-// r's place.
-template <class Form, bool from_rest>
-struct Swing
+// What is asked, and where the clock started.
+enum class Asked
 {
-  SWING_INLINE static double angle(const Prepared& p, double t)
-  {
-    const Phase s = phase_of(p, t);
-    const Quotient q =
-        from_rest ? Form::tangent(p, s.to_rest, s.from_bottom) : Form::tangent(p, s.from_bottom, s.to_rest);
-    return with_sign(twice_arc_tangent(q.above, q.below), from_rest ? s.parity : s.parity ^ s.sign);
-  }
-  SWING_INLINE static double velocity(const Prepared& p, double t)
-  {
-    const Phase s = phase_of(p, t);
-    const double speed =
-        from_rest ? Form::speed(p, s.to_rest, s.from_bottom) : Form::speed(p, s.from_bottom, s.to_rest);
-    return with_sign(speed, from_rest ? s.parity ^ s.sign ^ sign_bit : s.parity);
-  }
-  SWING_INLINE static double from_top(const Prepared& p, double t)
-  {
-    const Phase s = phase_of(p, t);
-    const Quotient q =
-        from_rest ? Form::tangent(p, s.to_rest, s.from_bottom) : Form::tangent(p, s.from_bottom, s.to_rest);
-    return twice_arc_tangent(q.below, q.above);
-  }
+  angle,
+  velocity,
+  from_top
+};
+enum class From
+{
+  bottom,
+  rest,
+  going_round
 };
 
-// Going round: a half swing is now a whole turn.
-template <class Form>
-struct Turn
+// Where in its half swing the pendulum is: of the time, n half swings are taken off.
+struct Phase
 {
-  SWING_INLINE static double angle(const Prepared& p, double t)
-  {
-    const Phase s = phase_of(p, t);
-    const Quotient q = Form::tangent(p, s.from_bottom, s.to_rest);
-    return s.n * (2 * pi_hi) + (s.n * (2 * pi_lo) + with_sign(twice_arc_tangent(q.above, q.below), s.sign));
-  }
-  SWING_INLINE static double velocity(const Prepared& p, double t)
-  {
-    const Phase s = phase_of(p, t);
-    return Form::speed(p, s.from_bottom, s.to_rest);
-  }
-  SWING_INLINE static double from_top(const Prepared& p, double t)
-  {
-    const Phase s = phase_of(p, t);
-    const Quotient q = Form::tangent(p, s.from_bottom, s.to_rest);
-    return twice_arc_tangent(q.below, q.above);
-  }
+  Part behind;        // since the bottom, in half swings
+  Part ahead;         // what is left to rest or to the top: the rest of ½
+  double n;           // a whole number
+  std::uint64_t sign; // of what is asked
 };
+
+// The product t·f is formed exactly; n is taken off before the rest is added. Started at rest, what is left
+// and what is gone change their places. Going round, a half swing is a whole turn.
+template <From from, Asked asked>
+SWING_INLINE Phase phase_of(const Prepared& p, double t)
+{
+  const Part product = product_of(t, p.f_hi, p.f_head, p.f_tail);
+  const double lost = product.lost + t * p.f_lo;
+  const double shifted = product.value + 0x1.8p52;
+  const double n = shifted - 0x1.8p52;
+  const double whole = product.value - n;
+  const double r = whole + lost;
+  const std::uint64_t sign = bits_of(r) & sign_bit;
+  const std::uint64_t parity = bits_of(shifted) << 63;
+  const Part near{with_sign(r, sign), with_sign((whole - r) + lost, sign)};
+  const double left = 0.5 - near.value;
+  const double rounded = left - near.lost;
+  const Part far{rounded, (left - rounded) - near.lost};
+  if constexpr (from == From::bottom)
+    return {near, far, n, asked == Asked::angle ? parity ^ sign : asked == Asked::velocity ? parity : 0};
+  else if constexpr (from == From::rest)
+    return {far, near, n,
+            asked == Asked::angle      ? parity
+            : asked == Asked::velocity ? parity ^ sign ^ sign_bit
+                                       : 0};
+  else
+    return {near, far, n, asked == Asked::angle ? sign : 0};
+}
 
 // Out of reach the fraction of a half swing is no longer known.
-template <double (*f)(const Prepared&, double)>
-void motion_loop(const Prepared& prepared, const double* t, double* out, std::size_t n)
+template <From from, Asked asked>
+SWING_INLINE double finished(const Prepared& p, double t, double n, std::uint64_t sign, double value)
+{
+  double result = with_sign(value, sign);
+  if constexpr (from == From::going_round && asked == Asked::angle)
+    result = n * (2 * pi_hi) + (n * (2 * pi_lo) + result);
+  return magnitude(t * p.f_hi) <= p.reach ? result : nan;
+}
+
+// By a series, in one step.
+template <class Form, From from, Asked asked>
+void series_loop(const Prepared& prepared, const double* t, double* out, std::size_t n)
 {
   const Prepared p = prepared;
   for (std::size_t i = 0; i < n; ++i)
   {
-    const double value = f(p, t[i]);
-    out[i] = magnitude(t[i] * p.f_hi) <= p.reach ? value : nan;
+    const Phase s = phase_of<from, asked>(p, t[i]);
+    double value = 0;
+    if constexpr (asked == Asked::angle)
+      value = Form::angle(p, s.behind, s.ahead);
+    else if constexpr (asked == Asked::velocity)
+      value = Form::speed(p, s.behind, s.ahead);
+    else
+      value = Form::from_top(p, s.behind, s.ahead);
+    out[i] = finished<from, asked>(p, t[i], s.n, s.sign, value);
   }
 }
 
-template <double (*f)(double)>
-void loop(const double* in, double* out, std::size_t n)
+// By theta functions, in four steps.
+template <class Form, Asked asked>
+SWING_INLINE Theta theta_for(const Prepared& p, Part behind, Part ahead)
 {
-  for (std::size_t i = 0; i < n; ++i)
-    out[i] = f(in[i]);
+  return asked == Asked::angle ? Form::theta(p, behind, ahead) : theta_of(p, behind, ahead);
 }
 
-template <class Course>
-constexpr Table::Questions questions{motion_loop<Course::angle>, motion_loop<Course::velocity>,
-                                     motion_loop<Course::from_top>};
+// Of Φ the tangent of its half; of the angle from the top the same turned over; of Φ' itself over 1.
+template <class Form, Asked asked>
+SWING_INLINE Quotient quotient_for(const Prepared& p, const Theta& t)
+{
+  if constexpr (asked == Asked::velocity)
+    return {Form::speed(p, t), 1};
+  const Quotient q = Form::tangent(p, t);
+  return asked == Asked::angle ? q : Quotient{q.below, q.above};
+}
+template <Asked asked>
+SWING_INLINE double value_for(Quotient q)
+{
+  return asked == Asked::velocity ? q.above : twice_arc_tangent(q.above, q.below);
+}
+
+// What a block has after each step.
+struct Steps
+{
+  alignas(64) double behind[block];
+  alignas(64) double behind_lost[block];
+  alignas(64) double ahead[block];
+  alignas(64) double ahead_lost[block];
+  alignas(64) double n[block];
+  alignas(64) std::uint64_t sign[block];
+  alignas(64) double g[block];
+  alignas(64) double h[block];
+  alignas(64) double one_minus_G[block];
+  alignas(64) double one_minus_H[block];
+  alignas(64) double above[block];
+  alignas(64) double below[block];
+};
+
+template <class Form, From from, Asked asked>
+void theta_loop(const Prepared& prepared, const double* t, double* out, std::size_t n)
+{
+  const Prepared p = prepared;
+  if (n == 1)
+  {
+    const Phase s = phase_of<from, asked>(p, t[0]);
+    const Theta theta = theta_for<Form, asked>(p, s.behind, s.ahead);
+    const double value = value_for<asked>(quotient_for<Form, asked>(p, theta));
+    out[0] = finished<from, asked>(p, t[0], s.n, s.sign, value);
+    return;
+  }
+  Steps x;
+  for (std::size_t start = 0; start < n; start += block)
+  {
+    const std::size_t size = n - start < block ? n - start : block;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const Phase s = phase_of<from, asked>(p, t[start + i]);
+      x.behind[i] = s.behind.value;
+      x.behind_lost[i] = s.behind.lost;
+      x.ahead[i] = s.ahead.value;
+      x.ahead_lost[i] = s.ahead.lost;
+      x.n[i] = s.n;
+      x.sign[i] = s.sign;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const Theta theta =
+          theta_for<Form, asked>(p, {x.behind[i], x.behind_lost[i]}, {x.ahead[i], x.ahead_lost[i]});
+      x.g[i] = theta.g;
+      x.h[i] = theta.h;
+      x.one_minus_G[i] = theta.one_minus_G;
+      x.one_minus_H[i] = theta.one_minus_H;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const Quotient q =
+          quotient_for<Form, asked>(p, {x.g[i], x.h[i], x.one_minus_G[i], x.one_minus_H[i]});
+      x.above[i] = q.above;
+      x.below[i] = q.below;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const double value = value_for<asked>({x.above[i], x.below[i]});
+      out[start + i] = finished<from, asked>(p, t[start + i], x.n[i], x.sign[i], value);
+    }
+  }
+}
+
+template <class Form, From from>
+constexpr Table::Questions by_series{series_loop<Form, from, Asked::angle>,
+                                     series_loop<Form, from, Asked::velocity>,
+                                     series_loop<Form, from, Asked::from_top>};
+template <class Form, From from>
+constexpr Table::Questions by_theta{theta_loop<Form, from, Asked::angle>,
+                                    theta_loop<Form, from, Asked::velocity>,
+                                    theta_loop<Form, from, Asked::from_top>};
 
 } // namespace
 
 extern const Table SWING_VARIANT;
 const Table SWING_VARIANT = {SWING_NAME(SWING_VARIANT),
-                             loop<K_of_modulus>,
-                             loop<K_of_complement>,
-                             loop<ratio_of_zeta>,
-                             loop<ratio_of_eta>,
-                             {questions<Swing<Low, false>>, questions<Swing<Low, true>>,
-                              questions<Swing<High, false>>, questions<Swing<High, true>>,
-                              questions<Turn<Fast>>, questions<Turn<Barely>>}};
+                             table_loop<By_modulus>,
+                             table_loop<As_given<rows::K_by_complement>>,
+                             table_loop<By_zeta>,
+                             table_loop<As_given<rows::Ratio_by_eta>>,
+                             {by_series<Low<few_terms>, From::bottom>,
+                              by_series<Low<few_terms>, From::rest>,
+                              by_series<Low<series_terms>, From::bottom>,
+                              by_series<Low<series_terms>, From::rest>,
+                              by_theta<High<3>, From::bottom>,
+                              by_theta<High<3>, From::rest>,
+                              by_theta<High<1>, From::bottom>,
+                              by_theta<High<1>, From::rest>,
+                              by_series<Fast, From::going_round>,
+                              by_theta<Barely, From::going_round>}};
 
 } // namespace swing::kernels

@@ -7,8 +7,19 @@
 
 #include <cstddef>
 
+/// The loops over arrays.
 namespace swing::kernels
 {
+
+/// The most terms that the series of a motion have after the first. They fall as the powers of the nome,
+/// which is at most e^−π: the next would be less than 2⁻⁵⁸ of the first.
+inline constexpr unsigned series_terms = 12;
+/// As many suffice with a nome below `small_nome`.
+inline constexpr unsigned few_terms = 4;
+/// The nome of ζ = 10.1°.
+inline constexpr double small_nome = 0x1p-11;
+/// The dual nome of η = 3.6°. Below it one term is enough of each theta function.
+inline constexpr double tiny_nome = 0x1p-14;
 
 /// The motion prepared for asking: what Motion computes once. See motion.cpp for how, kernels.cpp for what it
 /// is.
@@ -20,43 +31,51 @@ struct Prepared
   double f_lo = 0;       ///< what f_hi lacks, to 107 bits in all
   double reach = 0x1p50; ///< as many half swings can be told apart
 
-  double d[3] = {};       ///< θ₃/θ₃(0) = 1 + d[0] x + d[1] x² + d[2] x³, x = (sin z / π)²
-  double n[2] = {};       ///< θ₁/sin z in the same form
-  double p[3] = {};       ///< what the second exceeds the first by, divided by x
-  double log_q = 0;       ///< −ln q' of the dual nome: the argument of the hyperbolic form per half swing
-  double log_q_head = 0;  ///< its upper 26 bits
-  double log_q_tail = 0;  ///< the rest of it
-  double root_q = 0;      ///< √q'
-  double q = 0;           ///< q'
-  double angle_scale = 0; ///< factor of tan ½Φ
+  double angle_series[series_terms] = {};    ///< of Φ in powers of x = (sin z / π)²
+  double velocity_series[series_terms] = {}; ///< of Φ' in the same
+  double log_q_hi = 0;   ///< −ln q' of the dual nome: the argument of the hyperbolic functions per half swing
+  double log_q_head = 0; ///< its upper 26 bits
+  double log_q_tail = 0; ///< log_q_hi − log_q_head
+  double log_q_lo = 0;   ///< what log_q_hi lacks
+  double root_q = 0;     ///< √q'
+  double q = 0;          ///< q'
+
+  double angle_scale = 0;         ///< factor of the series of Φ or of tan ½Φ
   double velocity_scale = 0;      ///< factor of Φ'
   double angle_scale_lost = 0;    ///< what the first was rounded by, relative to it
   double velocity_scale_lost = 0; ///< what the second was rounded by, relative to it
 };
 
-/// The six courses a motion can take, each with its own formula.
+/// The courses a motion can take, each with its own formula. One started at rest follows upon the same
+/// started at the bottom.
 enum Course : int
 {
-  low,            ///< swinging, ζ ≤ 90°, the clock started at the bottom
-  low_from_rest,  ///< the same started at rest
-  high,           ///< swinging, ζ > 90°
-  high_from_rest, ///< the same started at rest
-  fast,           ///< revolving, with at least twice the energy that just reaches the top
-  barely          ///< revolving with less
+  small,              ///< swinging, ζ up to 10.1°, the clock started at the bottom
+  small_from_rest,    ///< the same started at rest
+  low,                ///< swinging, ζ from there to 90°
+  low_from_rest,      ///< the same started at rest
+  high,               ///< swinging, ζ > 90°
+  high_from_rest,     ///< the same started at rest
+  near_top,           ///< swinging, η < 3.6°
+  near_top_from_rest, ///< the same started at rest
+  fast,               ///< revolving, with at least twice the energy that just reaches the top
+  barely              ///< revolving with less
 };
 
-/// One of the instruction sets, with all loops compiled for it. `in` and `out` have n elements.
+/// One of the instruction sets, with all loops compiled for it. `in` and `out` have n elements; they may be
+/// the same array.
 struct Table
 {
   const char* name; ///< "sse2", "avx2", "avx512" (or "portable" where there is but one)
 
+  /// A loop over numbers.
   using Loop = void (*)(const double* in, double* out, std::size_t n);
   Loop K;                 ///< of k
   Loop K_from_complement; ///< of kc
   Loop ratio;             ///< of ζ
   Loop ratio_from_top;    ///< of η
 
-  /// Loops of times.
+  /// A loop over times.
   using Motion = void (*)(const Prepared& p, const double* t, double* out, std::size_t n);
   /// What is asked of a motion.
   struct Questions
@@ -65,7 +84,7 @@ struct Table
     Motion velocity; ///< Φ'
     Motion from_top; ///< the angle from the top, π − |Φ| in the first swing
   };
-  Questions motion[6]; ///< by Course
+  Questions motion[10]; ///< by Course
 };
 
 /// How many variants this processor can run, from the plainest to the widest; at least one.

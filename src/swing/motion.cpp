@@ -1,5 +1,7 @@
 #include "swing/motion.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -14,6 +16,11 @@ namespace
 
 using kernels::Prepared;
 
+kernels::Course started(kernels::Course course, Start start)
+{
+  return static_cast<kernels::Course>(course + (start == Start::rest));
+}
+
 Twofold half(Twofold x)
 {
   return {0.5 * x.hi, 0.5 * x.lo};
@@ -27,11 +34,12 @@ void set_frequency(Prepared& p, Twofold f)
   p.f_lo = f.lo;
 }
 
-void set_log_q(Prepared& p, double log_q)
+void set_log_q(Prepared& p, Twofold log_q)
 {
-  p.log_q = log_q;
-  p.log_q_head = head_of(log_q);
-  p.log_q_tail = log_q - p.log_q_head;
+  p.log_q_hi = log_q.hi;
+  p.log_q_head = head_of(log_q.hi);
+  p.log_q_tail = log_q.hi - p.log_q_head;
+  p.log_q_lo = log_q.lo;
 }
 
 void set_scales(Prepared& p, Twofold angle, Twofold velocity)
@@ -62,32 +70,77 @@ Nome nome_of(double k, double kc)
   return {epsilon * series, std::sqrt(series / divisor)};
 }
 
-// θ₁/sin z and θ₃ as polynomials in x = (sin z / π)², without their constant factors.
-void set_theta_polynomials(Prepared& p, double q)
+// Polynomials in x = (sin z / π)², with one coefficient more than is prepared: a factor is taken out.
+using Series = std::array<double, kernels::series_terms + 1>;
+
+// Fourier's series as such a polynomial: Σ a(n) fₙ for n ≤ last, where fₙ₊₁ = 2 cos 2z fₙ − fₙ₋₁ and
+// cos 2z = 1 − 2π²x. To cut off the polynomial instead would cost many digits.
+template <class Coefficient>
+Series sum_of_multiples(Series before_first, Series first, unsigned last, Coefficient a)
 {
-  const double q2 = q * q;
-  const double q4 = q2 * q2;
-  const double q6 = q4 * q2;
-  const double q9 = q4 * q4 * q;
-  const double n0 = 1 - 3 * q2 + 5 * q6;
-  const double d0 = 1 + 2 * (q + q4 + q9);
-  const double x1 = pi_hi * pi_hi;
-  const double x2 = x1 * x1;
-  p.n[0] = (4 * q2 - 20 * q6) / n0 * x1;
-  p.n[1] = 16 * q6 / n0 * x2;
-  p.d[0] = -4 * (q + 4 * q4 + 9 * q9) / d0 * x1;
-  p.d[1] = 16 * (q4 + 6 * q9) / d0 * x2;
-  p.d[2] = -64 * q9 / d0 * x1 * x2;
-  p.p[0] = p.n[0] - p.d[0];
-  p.p[1] = p.n[1] - p.d[1];
-  p.p[2] = -p.d[2];
+  Series before = before_first;
+  Series f = first;
+  Series sum{};
+  for (unsigned n = 0; n <= last; ++n)
+  {
+    const double factor = a(n);
+    Series next{};
+    for (std::size_t j = 0; j < f.size(); ++j)
+    {
+      sum[j] += factor * f[j];
+      next[j] = 2 * f[j] - before[j] - (j > 0 ? 4 * pi_hi * pi_hi * f[j - 1] : 0);
+    }
+    before = f;
+    f = next;
+  }
+  return sum;
 }
 
-// The quotient of the two where sin z = 1.
-double theta_quotient_at_rest(const Prepared& p)
+double power(double q, unsigned n)
 {
-  const double x = 1 / (pi_hi * pi_hi);
-  return 1 + x * (p.p[0] + x * (p.p[1] + x * p.p[2])) / (1 + x * (p.d[0] + x * (p.d[1] + x * p.d[2])));
+  double result = 1;
+  for (; n > 0; --n)
+    result *= q;
+  return result;
+}
+
+// The polynomial with its first coefficient taken out, where the scale of the whole series' first coefficient
+// will take its place. The polynomial's lacks `next`: returns what the scale is to be corrected by, relative
+// to it.
+double set_relative(double (&to)[kernels::series_terms], const Series& c, double next)
+{
+  for (std::size_t j = 0; j < kernels::series_terms; ++j)
+    to[j] = c[j + 1] / c[0];
+  return -next / c[0];
+}
+
+// Swinging: Φ = 8√q Σ qⁿ/((2n+1)(1 + q²ⁿ⁺¹)) sin (2n+1)z, and its derivative with z counted from rest, where
+// the signs alternate; sin (2n+1)z = sin z fₙ with f₋₁ = −1 and, at z = 0, fₙ = 2n+1.
+void set_swinging(Prepared& p, double q, unsigned terms)
+{
+  const auto velocity = [q](unsigned n)
+  { return (n % 2 == 0 ? 1 : -1) * power(q, n) / (1 + power(q, 2 * n + 1)); };
+  const auto angle = [&](unsigned n) { return std::abs(velocity(n)) / (2 * n + 1); };
+  const unsigned next = terms + 1;
+  p.angle_scale_lost += set_relative(p.angle_series, sum_of_multiples({-1}, {1}, terms, angle),
+                                     (2 * next + 1) * angle(next));
+  p.velocity_scale_lost += set_relative(p.velocity_series, sum_of_multiples({-1}, {1}, terms, velocity),
+                                        (2 * next + 1) * velocity(next));
+}
+
+// Revolving: Φ = 2z + 4 Σ qⁿ/n(1 + q²ⁿ) sin 2nz, where sin 2nz = 2 sin z cos z fₙ₋₁ with f₋₁ = 0; and its
+// derivative, a series of cos 2nz = fₙ with f₋₁ = cos 2z.
+void set_revolving(Prepared& p, double q)
+{
+  const auto a = [q](unsigned n) { return power(q, n) / (1 + power(q, 2 * n)); };
+  const Series angle = sum_of_multiples({}, {8 * pi_hi * pi_hi}, kernels::series_terms - 1,
+                                        [&](unsigned n) { return a(n + 1) / (n + 1); });
+  std::copy_n(angle.begin(), kernels::series_terms, p.angle_series);
+  const auto velocity = [&](unsigned n) { return n == 0 ? 0.25 : a(n); };
+  constexpr Series cosine{1, -2 * pi_hi * pi_hi};
+  p.velocity_scale_lost +=
+      set_relative(p.velocity_series, sum_of_multiples(cosine, {1}, kernels::series_terms, velocity),
+                   a(kernels::series_terms + 1));
 }
 
 // The cofactor of kernels.cpp, for the constants in front.
@@ -110,16 +163,15 @@ void same_length(std::span<const double> in, std::span<double> out)
 
 Motion::Motion(Amplitude a, Start start)
 {
-  const bool from_rest = start == Start::rest;
   Prepared& p = prepared_;
   if (a.eta == 0)
   {
-    if (from_rest)
+    if (start == Start::rest)
       throw std::domain_error("swing: at rest at the top the pendulum stays there");
-    course_ = kernels::high;
+    course_ = kernels::near_top;
     set_frequency(p, {0x1p-500, 0});
     p.reach = 0.25;
-    set_log_q(p, 0x1p500);
+    set_log_q(p, {0x1p500, 0});
     p.angle_scale = 0.5;
     p.velocity_scale = 4;
     return;
@@ -130,18 +182,20 @@ Motion::Motion(Amplitude a, Start start)
   set_frequency(p, mean * Twofold{tables::one_over_pi_hi, tables::one_over_pi_lo});
   if (a.zeta <= a.eta)
   {
-    course_ = from_rest ? kernels::low_from_rest : kernels::low;
-    set_theta_polynomials(p, nome_of(k.hi, kc.hi).q);
-    const Twofold scale = k * Twofold{pi_hi, pi_lo} / Twofold{theta_quotient_at_rest(p), 0};
-    set_scales(p, scale / kc, scale + scale);
+    const double q = nome_of(k.hi, kc.hi).q;
+    const bool small = q < kernels::small_nome;
+    course_ = started(small ? kernels::small : kernels::low, start);
+    const Twofold scale = k * Twofold{2 * pi_hi, 2 * pi_lo} / mean;
+    set_scales(p, scale, scale * kc);
+    set_swinging(p, q, small ? kernels::few_terms : kernels::series_terms);
   }
   else
   {
-    course_ = from_rest ? kernels::high_from_rest : kernels::high;
     const Nome nome = nome_of(kc.hi, k.hi);
     p.root_q = kc.hi * nome.root_over_modulus;
     p.q = p.root_q * p.root_q;
-    set_log_q(p, pi_hi * (agm_of_one_and(k) / mean).hi);
+    course_ = started(p.q < kernels::tiny_nome ? kernels::near_top : kernels::high, start);
+    set_log_q(p, Twofold{pi_hi, pi_lo} * agm_of_one_and(k) / mean);
     const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, -p.q) * cofactor(p.q, p.q, -p.q));
     const Twofold scale = k * at_bottom;
     set_scales(p, scale * Twofold{2 * nome.root_over_modulus, 0}, {4 * scale.hi, 4 * scale.lo});
@@ -163,9 +217,9 @@ Motion Motion::revolving(double excess)
   if (excess >= 1)
   {
     m.course_ = kernels::fast;
-    set_theta_polynomials(p, nome_of(kappa.hi, kappa_c.hi).q);
-    p.angle_scale = 1 / std::sqrt(kappa_c.hi);
-    p.velocity_scale = 2 * inverse.hi * std::sqrt(kappa_c.hi);
+    p.velocity_scale = 2 * inverse.hi;
+    p.velocity_scale_lost = inverse.lo / inverse.hi;
+    set_revolving(p, nome_of(kappa.hi, kappa_c.hi).q);
   }
   else
   {
@@ -173,7 +227,7 @@ Motion Motion::revolving(double excess)
     const Nome nome = nome_of(kappa_c.hi, kappa.hi);
     p.root_q = kappa_c.hi * nome.root_over_modulus;
     p.q = p.root_q * p.root_q;
-    set_log_q(p, pi_hi * (agm_of_one_and(kappa) / mean).hi);
+    set_log_q(p, Twofold{pi_hi, pi_lo} * agm_of_one_and(kappa) / mean);
     const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, p.q) * cofactor(p.q, -p.q, p.q));
     const Twofold scale = inverse * at_bottom;
     set_scales(p, Twofold{0.5, 0} / at_bottom, {4 * scale.hi, 4 * scale.lo});

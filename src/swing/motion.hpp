@@ -42,28 +42,34 @@ public:
   /// Throws std::domain_error unless 0 < excess ≤ 10³⁰⁰.
   static Motion revolving(double excess);
 
-  // Errors as found by tests/swing_motion.cpp, within 100 periods and after 10⁶ alike.
+  // Errors as found by tests/swing_motion.cpp, within 100 periods and after 10⁶ alike, for any amplitude.
 
-  /// Φ at the time t. Worst error 3 · 2⁻⁵² ζ for any amplitude, and the last digit of Φ itself in the first
-  /// instants. NaN for NaN and when |t| exceeds 2⁵⁰ half swings (10¹⁵⁰ for the motion that ends at the top).
+  /// Φ at the time t. Worst error 2 · 2⁻⁵² ζ (of π, or of Φ itself, going round), and the last digit of Φ in
+  /// the first instants. NaN for NaN and when |t| exceeds 2⁵⁰ half swings (10¹⁵⁰ for the motion that ends at
+  /// the top).
   double angle(double t) const;
-  /// Φ' at the time t, NaN as angle(). Worst error 3 · 2⁻⁵² of the greatest velocity 2k.
+  /// Φ' at the time t, NaN as angle(). Worst error 2½ · 2⁻⁵² of the greatest velocity.
   double velocity(double t) const;
-  /// The angle between the pendulum and the upper vertical at the time t, 0 … π; NaN as angle(). Worst error,
-  /// relative to it, 2⁻⁵² (4 + ln(8/η)): near the top it keeps its own digits, not only those of π.
+  /// The angle between the pendulum and the upper vertical at the time t, 0 … π; NaN as angle(). Worst error
+  /// 4 · 2⁻⁵² of itself: near the top it keeps its own digits, not only those of π. Of the motion that ends at
+  /// the top it is not told below 4e⁻⁷⁰⁰.
   double angle_from_top(double t) const;
 
-  /// The same for arrays of times, bit for bit. They throw std::invalid_argument when the spans differ in
-  /// length, and for no other reason.
+  /// Φ of an array of times, bit for bit as of one. Throws std::invalid_argument when the spans differ in
+  /// length, and for no other reason. The spans may be the same, or not overlap.
   void angle(std::span<const double> t, std::span<double> out) const;
+  /// Φ' of an array of times, the same.
   void velocity(std::span<const double> t, std::span<double> out) const;
+  /// The angle from the top of an array of times, the same.
   void angle_from_top(std::span<const double> t, std::span<double> out) const;
 
-  /// The time of a whole period, there and back or once round; +∞ when the top is just reached.
+  /// The time of a whole period, there and back or once round; +∞ when the top is just reached. Worst error
+  /// 1 ulp.
   double period() const;
 
-  /// What the loops are given, and which of them; for tests and benchmarks of each variant.
+  /// What the loops are given; for tests and benchmarks of each variant.
   const kernels::Prepared& prepared() const { return prepared_; }
+  /// Which of the loops; for the same.
   kernels::Course course() const { return course_; }
 
 private:

@@ -1,15 +1,13 @@
 #include "swing/time.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 
 #include "swing/kernels.hpp"
+#include "swing/rows.hpp"
 #include "swing/twofold.hpp"
 #include "swing_tables.hpp"
 
@@ -21,88 +19,38 @@ namespace
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The row of a table that starts at 2^lowest and has 64 rows for each doubling; out of range the number is
-// too large.
-template <int lowest>
-unsigned row_of(double x)
+// What the table says of x + lost, x being in it.
+template <class Table>
+rows::Sum<double> looked_up(double x, double lost)
 {
-  constexpr std::uint64_t first = static_cast<std::uint64_t>(1023 + lowest) << 6;
-  return static_cast<unsigned>((std::bit_cast<std::uint64_t>(x) >> 46) - first);
+  const double* const c = Table::rows + rows::row_of<Table>(x);
+  return {c[1], rows::beyond_centre(c, (x - c[0]) + lost)};
 }
 
-// c[1] t + … + c[6] t⁶: what is to be added to the row's value at its centre.
-double beyond_centre(const tables::Row& row, double t)
+// The same for x below the table too.
+template <class Table>
+rows::Sum<double> value(double x, double lost)
 {
-  const double t2 = t * t;
-  const double low = row.c[1] + t * row.c[2];
-  const double middle = row.c[3] + t * row.c[4];
-  const double high = row.c[5] + t * row.c[6];
-  return t * (low + t2 * (middle + t2 * high));
+  if (x >= Table::start)
+    return looked_up<Table>(x, lost);
+  const rows::Doubled d = rows::doubled<Table>(x, lost);
+  return rows::halved<Table>(looked_up<Table>(d.x, d.lost), d.n);
 }
 
-// aₙ² = (1·3·5…(2n−1)/2·4·6…2n)² and rₙ = 2/(1·2) + 2/(3·4) + … + 2/((2n−1)2n), the numbers of §8 and §28.
-struct Coefficient
+// Infinite at zero, NaN where there is no value.
+double out_of_domain(double x)
 {
-  double a2;
-  double r;
-};
-
-constexpr int terms = 8;
-
-constexpr std::array<Coefficient, terms> coefficients = []
-{
-  std::array<Coefficient, terms> c{};
-  double a = 1;
-  double r = 0;
-  for (std::size_t n = 0; n < terms; ++n)
-  {
-    c[n] = {a * a, r};
-    const double odd = 2.0 * static_cast<double>(n) + 1;
-    a *= odd / (odd + 1);
-    r += 2 / (odd * (odd + 1));
-  }
-  return c;
-}();
-
-// K near the top, Σ aₙ² mⁿ (L − rₙ) with L = ln(4/kc) and m = kc² < 1/128. L is given as twos·ln 2 −
-// factor·ln x and `more`, which is small, so that its leading part can be summed without loss.
-Twofold K_near_top(int twos, double x, double factor, double more, double m)
-{
-  double lift = 0;
-  if (x < 0x1p-1022)
-  {
-    x *= 0x1p54;
-    lift = 54;
-  }
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
-  const double e = static_cast<double>(static_cast<int>(bits >> 52) - 1023) - lift;
-  const double z = std::bit_cast<double>((bits & 0x000fffffffffffff) | 0x3ff0000000000000);
-  const tables::Row& row = tables::minus_log[row_of<tables::minus_log_lowest>(z)];
-  const double head = (twos - factor * e) * tables::ln2_hi;
-  const double value = factor * row.c[0];
-  const double sum = head + value;
-  const double rest = ((head - sum) + value) + (twos - factor * e) * tables::ln2_lo +
-                      factor * beyond_centre(row, z - row.centre) + more;
-  if (m < 0x1p-60)
-    return {sum, rest};
-  const double L = sum + rest;
-  double series = 0;
-  for (std::size_t n = terms - 1; n > 0; --n)
-    series = m * (series + coefficients[n].a2 * (L - coefficients[n].r));
-  return {sum, rest + series};
+  return x == 0 ? inf : nan;
 }
 
-double rounded(Twofold x)
+// Of the table's function for any x.
+template <class Table>
+double rounded_value(double x, double lost)
 {
-  return x.hi + x.lo;
-}
-
-// ln(sin h / h) = −h²/6 − h⁴/180 − h⁶/2835 − …, here with η = 2h < 1/64.
-Twofold K_near_top_of_eta(double eta)
-{
-  const double square = eta * eta;
-  const double s = eta * (0.5 - square * (1.0 / 48 - square / 3840));
-  return K_near_top(3, eta, 1, square * (1.0 / 24 + square / 2880), s * s);
+  if (!(x > 0 && x <= Table::last))
+    return out_of_domain(x);
+  const rows::Sum<double> sum = value<Table>(x, lost);
+  return sum.main + sum.rest;
 }
 
 void same_length(std::span<const double> in, std::span<double> out)
@@ -230,46 +178,26 @@ double agm(double a, double b)
 
 double K(double k)
 {
-  const double up = std::abs(k);
-  const double y = 1 - up;
-  const unsigned i = row_of<tables::K_by_modulus_lowest>(y);
-  if (i < tables::K_by_modulus_rows)
-  {
-    const tables::Row& row = tables::K_by_modulus[i];
-    return row.c[0] + beyond_centre(row, up - row.centre);
-  }
-  if (y > 0)
-  {
-    const double m = y * (1 + up);
-    return rounded(K_near_top(2, m, 0.5, 0, m));
-  }
-  return y == 0 ? inf : nan;
+  using Table = rows::K_by_modulus;
+  const double y = 1 - std::abs(k);
+  if (!(y > 0))
+    return out_of_domain(y);
+  const double* const c = Table::rows + rows::row_of<Table>(y);
+  return c[1] + rows::beyond_centre(c, y - c[0]);
 }
 
 double K_from_complement(double kc)
 {
-  const unsigned i = row_of<tables::K_by_complement_lowest>(kc);
-  if (i < tables::K_by_complement_rows && kc <= 1)
-  {
-    const tables::Row& row = tables::K_by_complement[i];
-    return row.c[0] + beyond_centre(row, kc - row.centre);
-  }
-  if (kc > 0 && kc < 1)
-    return rounded(K_near_top(2, kc, 1, 0, kc * kc));
-  return kc == 0 ? inf : nan;
+  return rounded_value<rows::K_by_complement>(kc, 0);
 }
 
 double quarter_time_from_top(double eta)
 {
-  const unsigned i = row_of<tables::K_by_eta_lowest>(eta);
-  if (i < tables::K_by_eta_rows && eta <= pi_hi)
-  {
-    const tables::Row& row = tables::K_by_eta[i];
-    return row.c[0] + beyond_centre(row, eta - row.centre);
-  }
-  if (eta > 0 && eta < 1)
-    return rounded(K_near_top_of_eta(eta));
-  return eta == 0 ? inf : nan;
+  if (!(eta > 0 && eta <= pi_hi))
+    return out_of_domain(eta);
+  const rows::Sum<double> ratio = value<rows::Ratio_by_eta>(eta, 0);
+  const Twofold K = product_of(ratio.main, pi_hi / 2);
+  return K.hi + (K.lo + (ratio.main * (pi_lo / 2) + ratio.rest * (pi_hi / 2)));
 }
 
 double quarter_time(Amplitude a)
@@ -277,32 +205,9 @@ double quarter_time(Amplitude a)
   return quarter_time_from_top(a.eta);
 }
 
-namespace
-{
-
-// T/Θ where η is given as a sum whose second part is small beside the last place of the first, or nothing.
-double ratio_of(double eta, double rest)
-{
-  const unsigned i = row_of<tables::ratio_by_eta_lowest>(eta);
-  if (i < tables::ratio_by_eta_rows && eta <= pi_hi)
-  {
-    const tables::Row& row = tables::ratio_by_eta[i];
-    return row.c[0] + beyond_centre(row, (eta - row.centre) + rest);
-  }
-  if (eta > 0 && eta < 1)
-  {
-    const Twofold K = K_near_top_of_eta(eta);
-    const Twofold ratio = product_of(K.hi, tables::two_over_pi_hi);
-    return ratio.hi + (ratio.lo + (K.hi * tables::two_over_pi_lo + K.lo * tables::two_over_pi_hi));
-  }
-  return eta == 0 ? inf : nan;
-}
-
-} // namespace
-
 double ratio_from_top(double eta)
 {
-  return ratio_of(eta, 0);
+  return rounded_value<rows::Ratio_by_eta>(eta, 0);
 }
 
 double ratio_from_bottom(double zeta)
@@ -311,12 +216,12 @@ double ratio_from_bottom(double zeta)
     return nan;
   const double nearly = pi_hi - zeta;
   const double eta = nearly + pi_lo;
-  return ratio_of(eta, (nearly - eta) + pi_lo);
+  return rounded_value<rows::Ratio_by_eta>(eta, (nearly - eta) + pi_lo);
 }
 
 double ratio(Amplitude a)
 {
-  return ratio_of(a.eta, a.eta_rest);
+  return rounded_value<rows::Ratio_by_eta>(a.eta, a.eta_rest);
 }
 
 // Up to 90° by a polynomial in ζ²; beyond, where the excess is no longer small, a subtraction costs three

@@ -83,6 +83,11 @@ inline Twofold sqrt(Twofold a)
 {
   if (a.hi <= 0)
     return {};
+  if (a.hi < 0x1p-900) // else what the square of the root is rounded by would be lost
+  {
+    const Twofold root = sqrt(Twofold{a.hi * 0x1p200, a.lo * 0x1p200});
+    return {root.hi * 0x1p-100, root.lo * 0x1p-100};
+  }
   const double root = std::sqrt(a.hi);
   const Twofold left = a - product_of(root, root);
   return ordered_sum(root, (left.hi + left.lo) / (2 * root));

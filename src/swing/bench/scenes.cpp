@@ -223,7 +223,7 @@ Scene K_by_complement()
   add_K_peers(
       s, [](double kc) { return std::sqrt((1 - kc) * (1 + kc)); }, " of √(1 − kc²)", 1);
   s.methods.push_back(
-      each("table and logarithm", "ours", [](double kc) { return swing::K_from_complement(kc); }));
+      each("table in kc", "ours", [](double kc) { return swing::K_from_complement(kc); }));
   s.methods.push_back(each("arithmetic–geometric mean", "classic",
                            [](double kc) { return std::numbers::pi / 2 / swing::agm(1, kc); }));
   s.methods.push_back(each("Boost ellint_rf", "peer",
@@ -348,6 +348,12 @@ double gsl_angle(double k, double t)
   return gsl_value(status, angle_from(k, sn, dn));
 }
 
+// What our motion is computed by.
+std::string formula(const swing::Motion& m)
+{
+  return m.course() < swing::kernels::high ? "Fourier's series" : "theta quotient";
+}
+
 Scene angle_scene(const std::string& name, swing::Amplitude a, const oracle::Motion& exact, double periods)
 {
   const swing::Motion m(a);
@@ -373,11 +379,11 @@ Scene angle_scene(const std::string& name, swing::Amplitude a, const oracle::Mot
       each("Boost jacobi_elliptic", "peer", [k](double t) { return boost_angle<Promoting>(k, t); }));
   s.methods.push_back(each("Boost jacobi_elliptic in double", "peer",
                            [k](double t) { return boost_angle<DoubleOnly>(k, t); }));
-  s.methods.push_back(each("theta quotient, one by one", "ours", [m](double t) { return m.angle(t); }));
+  s.methods.push_back(each(formula(m) + ", one by one", "ours", [m](double t) { return m.angle(t); }));
   for (std::size_t v = 0; v < swing::kernels::count(); ++v)
   {
     const swing::kernels::Table& table = swing::kernels::variant(v);
-    s.methods.push_back({std::string("theta quotient, ") + table.name, "ours",
+    s.methods.push_back({formula(m) + ", " + table.name, "ours",
                          [m, &table](std::span<const double> in, std::span<double> out) {
                            table.motion[m.course()].angle(m.prepared(), in.data(), out.data(), in.size());
                          }});
@@ -590,7 +596,7 @@ Scene integration(const std::string& name, double zeta)
     add("GSL rkf45", gsl_odeiv2_step_rkf45, tolerance);
   for (const char* tolerance : {"1e-6", "1e-8", "1e-10", "1e-12"})
     add("GSL rk8pd", gsl_odeiv2_step_rk8pd, tolerance);
-  s.methods.push_back(each("theta quotient", "ours", [m](double t) { return m.angle(t); }));
+  s.methods.push_back(each(formula(m), "ours", [m](double t) { return m.angle(t); }));
   return s;
 }
 

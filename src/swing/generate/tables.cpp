@@ -13,6 +13,7 @@
 
 #include "exact/fifty.hpp"
 #include "minimax.hpp"
+#include "swing/oracle.hpp"
 
 namespace
 {
@@ -20,25 +21,10 @@ namespace
 using exact::Fifty;
 using generate::Fit;
 using generate::Sample;
+namespace oracle = swing::oracle;
 using Function = std::function<Fifty(const Fifty&)>;
 
 std::FILE* out = nullptr;
-
-Fifty agm(Fifty a, Fifty b)
-{
-  while (abs(a - b) > a * Fifty(1e-40))
-  {
-    const Fifty mean = (a + b) / Fifty(2);
-    b = sqrt(a * b);
-    a = mean;
-  }
-  return (a + b) / Fifty(2);
-}
-
-Fifty K_of_complement(const Fifty& kc)
-{
-  return exact::pi() / (Fifty(2) * agm(Fifty(1), kc));
-}
 
 std::string hex(double x)
 {
@@ -110,17 +96,8 @@ void write_elementary()
       [=](const Fifty& x) { return sin(pi * x) / pi; }, [](const Fifty& x) { return x; },
       [](const Fifty& x) { return x * x * x; });
   write_even(
-      "sine_of_half", "sin ½x = ½x + x³(c₀ + c₁x² + …)", 8, tiny, pi,
-      [](const Fifty& x) { return sin(x / Fifty(2)); }, [](const Fifty& x) { return x / Fifty(2); },
-      [](const Fifty& x) { return x * x * x; });
-  write_even(
       "arc_tangent", "arctan x = x + x³(c₀ + c₁x² + …)", 11, tiny, root2 - Fifty(1),
       [](const Fifty& x) { return atan(x); }, [](const Fifty& x) { return x; },
-      [](const Fifty& x) { return x * x * x; });
-  write_even(
-      "log_of_quotient", "ln((1+x)/(1−x)) = 2x + x³(c₀ + c₁x² + …)", 7, tiny,
-      (root2 - Fifty(1)) / (root2 + Fifty(1)) * Fifty(1.0001),
-      [](const Fifty& x) { return Fifty(2) * atanh(x); }, [](const Fifty& x) { return Fifty(2) * x; },
       [](const Fifty& x) { return x * x * x; });
 }
 
@@ -145,49 +122,11 @@ void write_exponential()
               rounded(fit.coefficients));
 }
 
-// K = ln 4 − ½ ln m + m (P(m) − ln m · Q(m)), m = kc², on all of 0 < m ≤ 1: two polynomials fitted together.
-void write_K_formula()
-{
-  constexpr int terms = 10;
-  std::vector<Sample> samples;
-  for (const Fifty& root : grid(Fifty(1e-6), Fifty(1)))
-  {
-    const Fifty m = root * root;
-    const Fifty K = K_of_complement(root);
-    const Fifty ln_m = log(m);
-    Sample sample;
-    Fifty power = m / K;
-    for (int j = 0; j < terms; ++j, power *= m)
-    {
-      sample.basis.push_back(power);
-      sample.basis.push_back(-ln_m * power);
-    }
-    sample.target = (K - log(Fifty(4)) + ln_m / Fifty(2)) / K;
-    samples.push_back(std::move(sample));
-  }
-  const Fit fit = generate::minimax(samples);
-  std::vector<double> p;
-  std::vector<double> q;
-  for (std::size_t j = 0; j < fit.coefficients.size(); ++j)
-    (j % 2 == 0 ? p : q).push_back(static_cast<double>(fit.coefficients[j]));
-  const std::string what = "K = ln 4 − ½ ln m + m(P(m) − ln m Q(m)), m = 1 − k²; both best together for "
-                           "0 < m ≤ 1, largest relative error " +
-                           bits(fit.error);
-  write_array("K_plain", what + ": P", p);
-  write_array("K_with_log", what + ": Q", q);
-}
-
-// T/Θ − 1 = ζ²(c₀ + c₁ζ² + …). With M the mean of 1 and cos ½ζ the excess is (1 − M)/M.
 void write_excess()
 {
-  const Function excess = [](const Fifty& zeta)
-  {
-    const Fifty mean = agm(Fifty(1), cos(zeta / Fifty(2)));
-    return (Fifty(1) - mean) / mean;
-  };
   const Fifty last = exact::pi() / Fifty(2) * Fifty(1.0001);
   write_even(
-      "excess", "T/Θ − 1 = x²(c₀ + c₁x² + …), x = ζ", 14, Fifty(1e-3), last, excess,
+      "excess", "T/Θ − 1 = x²(c₀ + c₁x² + …), x = ζ", 14, Fifty(1e-3), last, oracle::ratio_excess,
       [](const Fifty&) { return Fifty(0); }, [](const Fifty& x) { return x * x; });
 }
 
@@ -205,7 +144,7 @@ constexpr int degree = 6;
 // its value needs no second word. The rest of the polynomial interpolates (f(x) − f(centre))/(x − centre).
 Row make_row(const Function& f, const Fifty& a, const Fifty& b)
 {
-  const std::vector<Fifty> nodes = generate::tchebychef_points(15, a, b);
+  const std::vector<Fifty> nodes = generate::tchebychef_points(11, a, b);
   std::vector<Fifty> values;
   for (const Fifty& x : nodes)
     values.push_back(f(x));
@@ -254,10 +193,8 @@ Row make_row(const Function& f, const Fifty& a, const Fifty& b)
   return row;
 }
 
-// Sixty-four rows for each doubling of x from 2^lowest on, until `last` is in a row. With `mirrored` the rows
-// follow the bits of x but their polynomials are in 1 − x.
-void write_table(const std::string& name, const std::string& what, int lowest, double last, bool mirrored,
-                 const Function& f)
+// Sixty-four rows for each doubling of x from 2^lowest on, until `last` is in a row.
+void write_table(const std::string& name, const std::string& what, int lowest, double last, const Function& f)
 {
   std::string rows;
   double error = 0;
@@ -267,38 +204,35 @@ void write_table(const std::string& name, const std::string& what, int lowest, d
     const Fifty octave = ldexp(Fifty(1), lowest + count / 64);
     const Fifty a = octave * (Fifty(1) + Fifty(count % 64) / Fifty(64));
     b = octave * (Fifty(1) + Fifty(count % 64 + 1) / Fifty(64));
-    const Row row = mirrored ? make_row(f, Fifty(1) - b, Fifty(1) - a) : make_row(f, a, b);
+    const Row row = make_row(f, a, b);
     error = std::fmax(error, row.error);
-    rows += "    {" + hex(row.centre) + ", {" + hex(row.c[0]);
-    for (std::size_t j = 1; j < row.c.size(); ++j)
-      rows += ", " + hex(row.c[j]);
-    rows += "}},\n";
+    rows += "    " + hex(row.centre) + ",";
+    for (double c : row.c)
+      rows += " " + hex(c) + ",";
+    rows += "\n";
   }
   std::fprintf(out,
                "\n// %s; from 2^%d to %g, 64 rows for each doubling, interpolated to degree %d about\n"
                "// a centre where the value is a double to 1/128 ulp; largest error, relative where the\n"
                "// function exceeds 1, %s\n"
-               "inline constexpr int %s_lowest = %d;\ninline constexpr unsigned %s_rows = %d;\n"
-               "alignas(64) inline constexpr Row %s[] = {\n%s};\n",
+               "inline constexpr double %s_start = 0x1p%d;\n"
+               "alignas(64) inline constexpr double %s[] = {\n%s};\n",
                what.c_str(), lowest, last, degree, bits(Fifty(error)).c_str(), name.c_str(), lowest,
-               name.c_str(), count, name.c_str(), rows.c_str());
+               name.c_str(), rows.c_str());
 }
 
+// K by y = 1 − k, which is a double, down to the last k below 1. By kc and by η the rows end where, to 2⁻⁵⁵,
+// K(½kc) = K(kc) + ln 2.
 void write_tables()
 {
   std::fprintf(out,
-               "\n// A row: f(x) = c[0] + c[1] t + … with t = x − centre.\n"
-               "struct Row\n{\n  double centre;\n  double c[%d];\n};\n",
-               degree + 1);
-  const Fifty quarter_turn = exact::pi() / Fifty(2);
-  write_table("K_by_modulus", "K(k), the rows by 1 − k", -8, 1, true,
-              [](const Fifty& k) { return K_of_complement(sqrt((Fifty(1) - k) * (Fifty(1) + k))); });
-  write_table("K_by_complement", "K by kc", -8, 1, false, K_of_complement);
-  write_table("K_by_eta", "K(cos ½η) by η", -6, 3.1415926535897931, false,
-              [](const Fifty& eta) { return K_of_complement(sin(eta / Fifty(2))); });
-  write_table("ratio_by_eta", "T/Θ by η", -6, 3.1415926535897931, false,
-              [=](const Fifty& eta) { return K_of_complement(sin(eta / Fifty(2))) / quarter_turn; });
-  write_table("minus_log", "−ln x", 0, 1.99, false, [](const Fifty& x) { return -log(x); });
+               "\n// The tables have rows of %d numbers: f(x) = c[1] + c[2] t + … with t = x − c[0].\n"
+               "inline constexpr unsigned row_length = %d;\n",
+               degree + 2, degree + 2);
+  write_table("K_by_modulus", "K by 1 − k", -53, 1,
+              [](const Fifty& y) { return oracle::K_from_complement(sqrt(y * (Fifty(2) - y))); });
+  write_table("K_by_complement", "K by kc", -30, 1, oracle::K_from_complement);
+  write_table("ratio_by_eta", "T/Θ by η", -29, 3.1415926535897931, oracle::ratio_from_top);
 }
 
 // A constant as a double of few digits, so that its product with a small integer is exact, and the rest.
@@ -325,14 +259,11 @@ int main(int argc, char** argv)
   std::fprintf(out, "// Made by src/swing/generate/tables.cpp with fifty digits; not to be edited.\n"
                     "#pragma once\n\nnamespace swing::tables\n{\n\n");
   write_constant("ln2", exact::ln2(), 40);
-  write_constant("ln4", Fifty(2) * exact::ln2(), 40);
   write_constant("two_over_pi", Fifty(2) / exact::pi(), 53);
   write_constant("ratio_ln2", Fifty(2) / exact::pi() * exact::ln2(), 40);
-  write_constant("ratio_ln4", Fifty(4) / exact::pi() * exact::ln2(), 40);
   write_constant("one_over_pi", Fifty(1) / exact::pi(), 53);
   write_elementary();
   write_exponential();
-  write_K_formula();
   write_excess();
   write_tables();
   std::fprintf(out, "\n} // namespace swing::tables\n");
