@@ -157,19 +157,21 @@ export const provenance = (book) => `<p class="provenance">${recordedOn(scenesOf
 
 /**
  * A recorded number by its name in prose, speed.SCENE.METHOD.WHAT: `faster`, how many times as fast as the scene's
- * peer; `worst`, the worst error; `ns`, the time of one evaluation; `fails`, the share of arguments it fails at.
+ * peer; `worst`, the worst error; `ns`, the time of one evaluation; `fails`, the share of arguments it fails at. Of
+ * a group of scenes it is the least favourable.
  */
 export function value(book, name) {
   const [, where, method, what] = name.split('.');
-  const it = find(scenesOf(book).scenes, where, 'scene');
-  const m = find(it.methods, method ?? '', 'method');
+  const all = scenesOf(book).scenes;
+  const group = groups(all).find((g) => g.id === where)?.scenes ?? [find(all, where, 'scene')];
+  const found = group.map((scene) => ({ scene, m: find(scene.methods, method ?? '', 'method') }));
   const meanings = {
-    faster: [1 / m.ratio, `how many times as fast as ${it.peer}`],
-    worst: [m.ulps_max, `worst error, ${it.error_unit}`],
-    ns: [m.seconds * 1e9, 'nanoseconds for one evaluation'],
-    fails: [m.failures / m.judged, 'share of the arguments at which it gives no number'],
+    faster: [({ m }) => 1 / m.ratio, `how many times as fast as ${group[0].peer}`, Math.min],
+    worst: [({ m }) => m.ulps_max, `worst error, ${group[0].error_unit}`, Math.max],
+    ns: [({ m }) => m.seconds * 1e9, 'nanoseconds for one evaluation', Math.max],
+    fails: [({ m }) => m.failures / m.judged, 'share of the arguments at which it gives no number', Math.max],
   };
   if (!meanings[what]) throw new Error(`{{${name}}} ends in none of ${Object.keys(meanings).join(', ')}`);
-  const [number, meaning] = meanings[what];
-  return { value: number, unit: '', meaning: `${it.name}, ${m.name}: ${meaning}`, full: name };
+  const [number, meaning, least] = meanings[what];
+  return { value: least(...found.map(number)), unit: '', meaning: `${method}: ${meaning}`, full: name };
 }

@@ -181,8 +181,8 @@ const faults = {
     '{{third}}',
   ],
   'a recorded number that is none': [
-    ['s11.cpp', '{{half|f2}}', '{{speed.k-by-modulus.table.slower}}'],
-    /s11\.cpp:LINE: \{\{speed\.k-by-modulus\.table\.slower\}\} ends in none of/,
+    ['s11.cpp', '{{half|f2}}', '{{speed.k-by-modulus.this-edition.slower}}'],
+    /s11\.cpp:LINE: \{\{speed\.k-by-modulus\.this-edition\.slower\}\} ends in none of/,
     '{{speed',
   ],
   'a recorded number of no scene': [

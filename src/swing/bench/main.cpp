@@ -23,8 +23,8 @@ using Json = nlohmann::ordered_json;
 std::string processor()
 {
   std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name"))
+  for(std::string line; std::getline(info, line);)
+    if(line.starts_with("model name"))
       return line.substr(line.find(": ") + 2);
   return "unknown";
 }
@@ -52,21 +52,19 @@ std::vector<race::Timing> race_of(const bench::Scene& scene, race::Options optio
 {
   std::vector<race::Entrant> entrants;
   std::vector<double> out(scene.in.size());
-  const auto enter = [&](const bench::Method& method)
-  {
+  const auto enter = [&](const bench::Method& method) {
     entrants.push_back({method.name,
-                        [&scene, &method, &out]
-                        {
+                        [&scene, &method, &out] {
                           method.run(scene.in, out);
                           race::keep(out.front());
                         },
                         scene.in.size()});
   };
-  for (const bench::Method& method : scene.methods)
-    if (method.name == scene.peer)
+  for(const bench::Method& method : scene.methods)
+    if(method.name == scene.peer)
       enter(method);
-  for (const bench::Method& method : scene.methods)
-    if (method.name != scene.peer)
+  for(const bench::Method& method : scene.methods)
+    if(method.name != scene.peer)
       enter(method);
   return race::run(entrants, options);
 }
@@ -76,12 +74,12 @@ Json report(const bench::Scene& scene, bool errors_only, race::Options options)
   Json json{
       {"name", scene.name}, {"quantity", scene.quantity}, {"error_unit", scene.unit}, {"peer", scene.peer}};
   json["methods"] = Json::array();
-  for (const bench::Method& method : scene.methods)
+  for(const bench::Method& method : scene.methods)
     json["methods"].push_back(errors_of(scene, method));
-  if (!errors_only)
-    for (const race::Timing& timing : race_of(scene, options))
-      for (Json& row : json["methods"])
-        if (row["name"] == timing.name)
+  if(!errors_only)
+    for(const race::Timing& timing : race_of(scene, options))
+      for(Json& row : json["methods"])
+        if(row["name"] == timing.name)
         {
           row["seconds"] = three_digits(timing.seconds);
           row["fastest"] = three_digits(timing.fastest);
@@ -94,14 +92,14 @@ Json report(const bench::Scene& scene, bool errors_only, race::Options options)
 std::string padded(const std::string& text, std::size_t width)
 {
   std::size_t length = 0;
-  for (char c : text)
+  for(char c : text)
     length += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
   return text + std::string(length < width ? width - length : 0, ' ');
 }
 
 std::string number(const Json& row, const char* key, double scale = 1)
 {
-  if (!row[key].is_number())
+  if(!row[key].is_number())
     return "-";
   return fmt::format("{:.3g}", row[key].get<double>() * scale);
 }
@@ -111,24 +109,25 @@ void print(const Json& scene, bool errors_only)
   fmt::print("\n{}: {}\n", scene["name"].get<std::string>(), scene["quantity"].get<std::string>());
   fmt::print("  {} {:>10} {:>10} {:>9}", padded("errors in " + scene["error_unit"].get<std::string>(), 44),
              "worst", "mean", "failures");
-  if (!errors_only)
+  if(!errors_only)
     fmt::print(" {:>10} {:>10}", "ns", "speed");
   fmt::print("\n");
-  for (const Json& row : scene["methods"])
+  for(const Json& row : scene["methods"])
   {
     fmt::print("  {} {:>10} {:>10} {:>9}", padded(row["name"].get<std::string>(), 44),
                number(row, "ulps_max"), number(row, "ulps_mean"), row["failures"].get<std::size_t>());
-    if (!errors_only)
+    if(!errors_only)
       fmt::print(" {:>10} {:>9.3g}x", number(row, "seconds", 1e9), 1 / row["ratio"].get<double>());
     fmt::print("\n");
   }
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {
-  CLI::App app{"The swing's time and motion: speed against error, ours and the usual libraries' in one run."};
+  CLI::App app{
+      "The swing's time and motion: speed against error, ours and the usual libraries' in one run."};
   bool as_json = false;
   bool errors_only = false;
   int rounds = 11;
@@ -141,13 +140,13 @@ int main(int argc, char** argv)
   {
     app.parse(argc, argv);
   }
-  catch (const CLI::ParseError& e)
+  catch(const CLI::ParseError& e)
   {
     return app.exit(e) == 0 ? 0 : 2;
   }
 
   Json json;
-  if (!errors_only)
+  if(!errors_only)
   {
     json["machine"] = processor();
     json["compiler"] = SWING_COMPILER;
@@ -155,18 +154,18 @@ int main(int argc, char** argv)
     json["rounds"] = rounds;
   }
   json["tiers"] = Json::array();
-  for (std::size_t v = 0; v < swing::kernels::count(); ++v)
+  for(std::size_t v = 0; v < swing::kernels::count(); ++v)
     json["tiers"].push_back(swing::kernels::variant(v).name);
   json["scenes"] = Json::array();
-  for (const bench::Scene& scene : bench::all_scenes())
+  for(const bench::Scene& scene : bench::all_scenes())
   {
-    if (scene.name.find(wanted) == std::string::npos)
+    if(scene.name.find(wanted) == std::string::npos)
       continue;
     json["scenes"].push_back(report(scene, errors_only, {rounds, 2e-3}));
-    if (!as_json)
+    if(!as_json)
       print(json["scenes"].back(), errors_only);
   }
-  if (as_json)
+  if(as_json)
     std::cout << json.dump(1) << '\n';
   return std::cout.flush() ? 0 : 1;
 }

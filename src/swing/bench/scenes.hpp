@@ -16,8 +16,9 @@ namespace bench
 struct Method
 {
   std::string name;
-  std::string kind; ///< "ours", "peer", "Euler" or "classic"
-  std::function<void(std::span<const double> in, std::span<double> out)> run; ///< NaN where the method fails
+  std::string kind;  ///< "ours", "peer", "Euler" or "classic"
+  std::function<void(std::span<const double> in, std::span<double> out)>
+      run;  ///< NaN where the method fails
 };
 
 /// One quantity, its arguments, and all the ways to it.
@@ -25,11 +26,11 @@ struct Scene
 {
   std::string name;
   std::string quantity;
-  std::string unit; ///< of the errors
-  std::string peer; ///< the method whose time the others' are divided by
+  std::string unit;  ///< of the errors
+  std::string peer;  ///< the method whose time the others' are divided by
   std::vector<double> in;
-  std::vector<exact::Fifty> exact; ///< of as many of the first arguments as are judged
-  double place = 0; ///< the unit of the error where it is not the last place: 2⁻⁵² of this
+  std::vector<exact::Fifty> exact;  ///< of as many of the first arguments as are judged
+  double place = 0;  ///< the unit of the error where it is not the last place: 2⁻⁵² of this
   std::vector<Method> methods;
 };
 
@@ -38,7 +39,7 @@ struct Error
 {
   double worst = 0;
   double mean = 0;
-  std::size_t failures = 0; ///< results that are no finite number where the true one is
+  std::size_t failures = 0;  ///< results that are no finite number where the true one is
   std::size_t judged = 0;
 };
 
@@ -48,4 +49,4 @@ std::vector<Scene> all_scenes();
 /// Runs the method once over the arguments and judges it.
 Error judge(const Scene& scene, const Method& method);
 
-} // namespace bench
+}  // namespace bench

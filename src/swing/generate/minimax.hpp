@@ -40,4 +40,4 @@ Fifty value(const std::vector<Fifty>& c, const Fifty& x);
 /// The n zeros of Tchebychef's polynomial of degree n on the interval from a to b.
 std::vector<Fifty> tchebychef_points(int n, const Fifty& a, const Fifty& b);
 
-} // namespace generate
+}  // namespace generate

@@ -36,7 +36,7 @@ std::string hex(double x)
 void write_array(const std::string& name, const std::string& comment, const std::vector<double>& c)
 {
   std::fprintf(out, "\n// %s\ninline constexpr double %s[] = {", comment.c_str(), name.c_str());
-  for (std::size_t i = 0; i < c.size(); ++i)
+  for(std::size_t i = 0; i < c.size(); ++i)
     std::fprintf(out, "%s%s", i == 0 ? "\n    " : i % 4 == 0 ? ",\n    " : ", ", hex(c[i]).c_str());
   std::fprintf(out, "};\n");
 }
@@ -44,7 +44,7 @@ void write_array(const std::string& name, const std::string& comment, const std:
 std::vector<double> rounded(const std::vector<Fifty>& c)
 {
   std::vector<double> d;
-  for (const Fifty& x : c)
+  for(const Fifty& x : c)
     d.push_back(static_cast<double>(x));
   return d;
 }
@@ -70,19 +70,19 @@ void write_even(const std::string& name, const std::string& what, int terms, con
                 const Function& f, const Function& fixed, const Function& scale)
 {
   std::vector<Sample> samples;
-  for (const Fifty& x : grid(a, b))
+  for(const Fifty& x : grid(a, b))
   {
     Sample sample;
     Fifty term = scale(x) / f(x);
-    for (int j = 0; j < terms; ++j, term *= x * x)
+    for(int j = 0; j < terms; ++j, term *= x * x)
       sample.basis.push_back(term);
     sample.target = (f(x) - fixed(x)) / f(x);
     samples.push_back(std::move(sample));
   }
   const Fit fit = generate::minimax(samples);
   write_array(name,
-              what + "; best for x from " + a.str(6) + " to " + b.str(6) + ", largest relative error " +
-                  bits(fit.error),
+              what + "; best for x from " + a.str(6) + " to " + b.str(6) + ", largest relative error "
+                  + bits(fit.error),
               rounded(fit.coefficients));
 }
 
@@ -106,19 +106,19 @@ void write_exponential()
   constexpr int terms = 11;
   const Fifty half = exact::ln2() / Fifty(2) * Fifty(1.0001);
   std::vector<Sample> samples;
-  for (const Fifty& x : grid(-half, half))
+  for(const Fifty& x : grid(-half, half))
   {
     Sample sample;
     Fifty term = x * x / expm1(x);
-    for (int j = 0; j < terms; ++j, term *= x)
+    for(int j = 0; j < terms; ++j, term *= x)
       sample.basis.push_back(term);
     sample.target = Fifty(1) - x / expm1(x);
     samples.push_back(std::move(sample));
   }
   const Fit fit = generate::minimax(samples);
   write_array("exponential",
-              "eˣ − 1 = x + x²(c₀ + c₁x + …); best for |x| up to ½ ln 2, largest relative error " +
-                  bits(fit.error),
+              "eˣ − 1 = x + x²(c₀ + c₁x + …); best for |x| up to ½ ln 2, largest relative error "
+                  + bits(fit.error),
               rounded(fit.coefficients));
 }
 
@@ -146,23 +146,23 @@ Row make_row(const Function& f, const Fifty& a, const Fifty& b)
 {
   const std::vector<Fifty> nodes = generate::tchebychef_points(11, a, b);
   std::vector<Fifty> values;
-  for (const Fifty& x : nodes)
+  for(const Fifty& x : nodes)
     values.push_back(f(x));
   const Fifty middle = (a + b) / Fifty(2);
   std::vector<Fifty> shifted;
-  for (const Fifty& x : nodes)
+  for(const Fifty& x : nodes)
     shifted.push_back(x - middle);
   const std::vector<Fifty> fine = generate::through(shifted, values);
 
   const Fifty step = (b - a) / Fifty(4096);
   Fifty best_offset = 0;
   double best = 1;
-  for (int i = 0; i < 300 && best > 1.0 / 128; ++i)
+  for(int i = 0; i < 300 && best > 1.0 / 128; ++i)
   {
     const Fifty offset = step * Fifty(i % 2 == 0 ? i / 2 : -(i + 1) / 2);
     const Fifty exact_value = generate::value(fine, offset);
     const double miss = exact::ulps(static_cast<double>(exact_value), exact_value);
-    if (miss < best)
+    if(miss < best)
     {
       best = miss;
       best_offset = offset;
@@ -174,7 +174,7 @@ Row make_row(const Function& f, const Fifty& a, const Fifty& b)
   const double value_at_centre = static_cast<double>(generate::value(fine, best_offset));
   std::vector<Fifty> t;
   std::vector<Fifty> slopes;
-  for (const Fifty& x : generate::tchebychef_points(degree, a, b))
+  for(const Fifty& x : generate::tchebychef_points(degree, a, b))
   {
     t.push_back(x - middle - best_offset);
     slopes.push_back((generate::value(fine, x - middle) - generate::value(fine, best_offset)) / t.back());
@@ -184,22 +184,24 @@ Row make_row(const Function& f, const Fifty& a, const Fifty& b)
 
   row.error = 0;
   std::vector<Fifty> c(row.c.begin(), row.c.end());
-  for (const Fifty& x : generate::tchebychef_points(9, a, b))
+  for(const Fifty& x : generate::tchebychef_points(9, a, b))
   {
     const Fifty exact_value = generate::value(fine, x - middle);
     const Fifty error = generate::value(c, x - middle - best_offset) - exact_value;
-    row.error = std::fmax(row.error, static_cast<double>(abs(error) / std::max(Fifty(1), abs(exact_value))));
+    row.error =
+        std::fmax(row.error, static_cast<double>(abs(error) / std::max(Fifty(1), abs(exact_value))));
   }
   return row;
 }
 
 // Sixty-four rows for each doubling of x from 2^lowest on, until `last` is in a row.
-void write_table(const std::string& name, const std::string& what, int lowest, double last, const Function& f)
+void write_table(const std::string& name, const std::string& what, int lowest, double last,
+                 const Function& f)
 {
   std::string rows;
   double error = 0;
   int count = 0;
-  for (Fifty b = 0; b <= Fifty(last); ++count)
+  for(Fifty b = 0; b <= Fifty(last); ++count)
   {
     const Fifty octave = ldexp(Fifty(1), lowest + count / 64);
     const Fifty a = octave * (Fifty(1) + Fifty(count % 64) / Fifty(64));
@@ -207,7 +209,7 @@ void write_table(const std::string& name, const std::string& what, int lowest, d
     const Row row = make_row(f, a, b);
     error = std::fmax(error, row.error);
     rows += "    " + hex(row.centre) + ",";
-    for (double c : row.c)
+    for(double c : row.c)
       rows += " " + hex(c) + ",";
     rows += "\n";
   }
@@ -247,11 +249,11 @@ void write_constant(const std::string& name, const Fifty& x, int kept_bits)
   std::fprintf(out, format, name.c_str(), hex(head).c_str(), name.c_str(), hex(rest).c_str());
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {
-  if (argc != 2 || (out = std::fopen(argv[1], "w")) == nullptr)
+  if(argc != 2 || (out = std::fopen(argv[1], "w")) == nullptr)
   {
     std::fprintf(stderr, "usage: swing-tables FILE\n");
     return 2;
