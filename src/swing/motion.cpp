@@ -9,12 +9,78 @@
 #include "swing/twofold.hpp"
 #include "swing_tables.hpp"
 
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#else
+#include <cfenv>
+#endif
+
 namespace swing
 {
 namespace
 {
 
 using kernels::Prepared;
+
+#if defined(__x86_64__)
+using Settings = unsigned;
+Settings settings()
+{
+  return _mm_getcsr();
+}
+Settings to_nearest(Settings s)
+{
+  constexpr unsigned denormals_are_zero = 0x40;
+  return s & ~(_MM_ROUND_MASK | _MM_FLUSH_ZERO_MASK | denormals_are_zero);
+}
+void set(Settings s)
+{
+  _mm_setcsr(s);
+}
+#else
+using Settings = int;
+Settings settings()
+{
+  return std::fegetround();
+}
+Settings to_nearest(Settings)
+{
+  return FE_TONEAREST;
+}
+void set(Settings s)
+{
+  std::fesetround(s);
+}
+#endif
+
+// As long as it lives, sums are rounded to the nearest double, and on x86 subnormal numbers kept; then what was
+// set before returns. Otherwise neither products nor whole half swings would be split exactly. What is
+// computed under it stands in functions of its own, so that no compiler moves it out.
+class To_nearest
+{
+public:
+  To_nearest() : before_(settings())
+  {
+    if (to_nearest(before_) != before_)
+      set(to_nearest(before_));
+  }
+  ~To_nearest()
+  {
+    if (to_nearest(before_) != before_)
+      set(before_);
+  }
+  To_nearest(const To_nearest&) = delete;
+  To_nearest& operator=(const To_nearest&) = delete;
+
+private:
+  Settings before_;
+};
+
+void run(kernels::Table::Motion loop, const Prepared& p, const double* t, double* out, std::size_t n)
+{
+  const To_nearest whatever_was_set;
+  loop(p, t, out, n);
+}
 
 kernels::Course started(kernels::Course course, Start start)
 {
@@ -159,22 +225,19 @@ void same_length(std::span<const double> in, std::span<double> out)
     throw std::invalid_argument("swing: the arrays differ in length");
 }
 
-} // namespace
-
-Motion::Motion(Amplitude a, Start start)
+// Swinging.
+[[gnu::noinline]] kernels::Course prepare(Prepared& p, Amplitude a, Start start)
 {
-  Prepared& p = prepared_;
   if (a.eta == 0)
   {
     if (start == Start::rest)
       throw std::domain_error("swing: at rest at the top the pendulum stays there");
-    course_ = kernels::near_top;
     set_frequency(p, {0x1p-500, 0});
     p.reach = 0.25;
     set_log_q(p, {0x1p500, 0});
     p.angle_scale = 0.5;
     p.velocity_scale = 4;
-    return;
+    return kernels::near_top;
   }
   const Twofold k = sin(half({a.zeta, a.zeta_rest}));
   const Twofold kc = sin(half({a.eta, a.eta_rest}));
@@ -182,33 +245,26 @@ Motion::Motion(Amplitude a, Start start)
   set_frequency(p, mean * Twofold{tables::one_over_pi_hi, tables::one_over_pi_lo});
   if (a.zeta <= a.eta)
   {
-    const double q = nome_of(k.hi, kc.hi).q;
-    const bool small = q < kernels::small_nome;
-    course_ = started(small ? kernels::small : kernels::low, start);
     const Twofold scale = k * Twofold{2 * pi_hi, 2 * pi_lo} / mean;
     set_scales(p, scale, scale * kc);
+    const double q = nome_of(k.hi, kc.hi).q;
+    const bool small = q < kernels::small_nome;
     set_swinging(p, q, small ? kernels::few_terms : kernels::series_terms);
+    return started(small ? kernels::small : kernels::low, start);
   }
-  else
-  {
-    const Nome nome = nome_of(kc.hi, k.hi);
-    p.root_q = kc.hi * nome.root_over_modulus;
-    p.q = p.root_q * p.root_q;
-    course_ = started(p.q < kernels::tiny_nome ? kernels::near_top : kernels::high, start);
-    set_log_q(p, Twofold{pi_hi, pi_lo} * agm_of_one_and(k) / mean);
-    const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, -p.q) * cofactor(p.q, p.q, -p.q));
-    const Twofold scale = k * at_bottom;
-    set_scales(p, scale * Twofold{2 * nome.root_over_modulus, 0}, {4 * scale.hi, 4 * scale.lo});
-  }
+  const Nome nome = nome_of(kc.hi, k.hi);
+  p.root_q = kc.hi * nome.root_over_modulus;
+  p.q = p.root_q * p.root_q;
+  set_log_q(p, Twofold{pi_hi, pi_lo} * agm_of_one_and(k) / mean);
+  const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, -p.q) * cofactor(p.q, p.q, -p.q));
+  const Twofold scale = k * at_bottom;
+  set_scales(p, scale * Twofold{2 * nome.root_over_modulus, 0}, {4 * scale.hi, 4 * scale.lo});
+  return started(p.q < kernels::tiny_nome ? kernels::near_top : kernels::high, start);
 }
 
-// With κ² = 1/(1 + excess), Φ = 2 am(t/κ, κ); a turn takes the time 2κK(κ) = π/M(1/κ, κ'/κ).
-Motion Motion::revolving(double excess)
+// Going round: with κ² = 1/(1 + excess), Φ = 2 am(t/κ, κ); a turn takes the time 2κK(κ) = π/M(1/κ, κ'/κ).
+[[gnu::noinline]] kernels::Course prepare(Prepared& p, double excess)
 {
-  if (!(excess > 0 && excess <= 1e300))
-    throw std::domain_error("swing: the excess of energy must be positive and at most 1e300");
-  Motion m;
-  Prepared& p = m.prepared_;
   const Twofold inverse = sqrt(sum_of(1, excess));
   const Twofold kappa = Twofold{1, 0} / inverse;
   const Twofold kappa_c = sqrt(Twofold{excess, 0}) / inverse;
@@ -216,62 +272,76 @@ Motion Motion::revolving(double excess)
   set_frequency(p, mean * inverse * Twofold{tables::one_over_pi_hi, tables::one_over_pi_lo});
   if (excess >= 1)
   {
-    m.course_ = kernels::fast;
     p.velocity_scale = 2 * inverse.hi;
     p.velocity_scale_lost = inverse.lo / inverse.hi;
     set_revolving(p, nome_of(kappa.hi, kappa_c.hi).q);
+    return kernels::fast;
   }
-  else
-  {
-    m.course_ = kernels::barely;
-    const Nome nome = nome_of(kappa_c.hi, kappa.hi);
-    p.root_q = kappa_c.hi * nome.root_over_modulus;
-    p.q = p.root_q * p.root_q;
-    set_log_q(p, Twofold{pi_hi, pi_lo} * agm_of_one_and(kappa) / mean);
-    const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, p.q) * cofactor(p.q, -p.q, p.q));
-    const Twofold scale = inverse * at_bottom;
-    set_scales(p, Twofold{0.5, 0} / at_bottom, {4 * scale.hi, 4 * scale.lo});
-  }
+  const Nome nome = nome_of(kappa_c.hi, kappa.hi);
+  p.root_q = kappa_c.hi * nome.root_over_modulus;
+  p.q = p.root_q * p.root_q;
+  set_log_q(p, Twofold{pi_hi, pi_lo} * agm_of_one_and(kappa) / mean);
+  const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, p.q) * cofactor(p.q, -p.q, p.q));
+  const Twofold scale = inverse * at_bottom;
+  set_scales(p, Twofold{0.5, 0} / at_bottom, {4 * scale.hi, 4 * scale.lo});
+  return kernels::barely;
+}
+
+} // namespace
+
+Motion::Motion(Amplitude a, Start start)
+{
+  const To_nearest whatever_was_set;
+  course_ = prepare(prepared_, a, start);
+}
+
+Motion Motion::revolving(double excess)
+{
+  if (!(excess > 0 && excess <= 1e300))
+    throw std::domain_error("swing: the excess of energy must be positive and at most 1e300");
+  const To_nearest whatever_was_set;
+  Motion m;
+  m.course_ = prepare(m.prepared_, excess);
   return m;
 }
 
 double Motion::angle(double t) const
 {
   double result;
-  kernels::variant(0).motion[course_].angle(prepared_, &t, &result, 1);
+  run(kernels::variant(0).motion[course_].angle, prepared_, &t, &result, 1);
   return result;
 }
 
 double Motion::velocity(double t) const
 {
   double result;
-  kernels::variant(0).motion[course_].velocity(prepared_, &t, &result, 1);
+  run(kernels::variant(0).motion[course_].velocity, prepared_, &t, &result, 1);
   return result;
 }
 
 double Motion::angle_from_top(double t) const
 {
   double result;
-  kernels::variant(0).motion[course_].from_top(prepared_, &t, &result, 1);
+  run(kernels::variant(0).motion[course_].from_top, prepared_, &t, &result, 1);
   return result;
 }
 
 void Motion::angle(std::span<const double> t, std::span<double> out) const
 {
   same_length(t, out);
-  kernels::best().motion[course_].angle(prepared_, t.data(), out.data(), t.size());
+  run(kernels::best().motion[course_].angle, prepared_, t.data(), out.data(), t.size());
 }
 
 void Motion::velocity(std::span<const double> t, std::span<double> out) const
 {
   same_length(t, out);
-  kernels::best().motion[course_].velocity(prepared_, t.data(), out.data(), t.size());
+  run(kernels::best().motion[course_].velocity, prepared_, t.data(), out.data(), t.size());
 }
 
 void Motion::angle_from_top(std::span<const double> t, std::span<double> out) const
 {
   same_length(t, out);
-  kernels::best().motion[course_].from_top(prepared_, t.data(), out.data(), t.size());
+  run(kernels::best().motion[course_].from_top, prepared_, t.data(), out.data(), t.size());
 }
 
 double Motion::period() const

@@ -13,6 +13,9 @@
 ///
 /// Each is also there for arrays, many times faster. The time is first reduced to a fraction of the swing
 /// with a frequency of 107 bits, so that 10⁶ periods cost no digit.
+///
+/// All is computed in round to nearest and, on x86-64, with subnormal numbers, whatever is set; the caller's
+/// setting returns. So a motion of the same amplitude is the same to the last bit (tests/swing_environment.cpp).
 #pragma once
 
 #include <span>

@@ -62,6 +62,11 @@ struct Amplitude
 // The errors that follow are the worst found against 107 bits and fifty digits, in units of the last place
 // (ulp): hundreds of thousands of arguments in every range, the edges of all tables and intervals included.
 // tests/swing_time.cpp holds them.
+//
+// They are those of round to nearest. In the other modes of fesetround what is read from tables (K and T/Θ in all
+// their forms) errs by 1.1 ulp and everything else by twice as much as stated. Where the processor is told to
+// flush subnormal numbers, a subnormal kc or η is zero; nothing else is lost. tests/swing_environment.cpp holds
+// this.
 
 /// The complete elliptic integral of the first kind K(k) of the modulus k, |k| ≤ 1. K(±1) = +∞; NaN outside
 /// and for NaN. Worst error 0.61 ulp, for every k up to 1 − 2⁻⁵³.
