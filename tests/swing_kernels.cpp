@@ -1,5 +1,6 @@
 /// @file
 /// The loops compiled for each instruction set give the same bits, here and on any other machine.
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -158,7 +159,7 @@ TEST_CASE("an array gives the same bits as the function of one number")
     for (std::size_t i = 0; i < in.size(); ++i)
     {
       const double single = one(in[i]);
-      differing += std::memcmp(&single, &out[i], sizeof single) != 0;
+      differing += std::bit_cast<std::uint64_t>(single) != std::bit_cast<std::uint64_t>(out[i]);
     }
     return differing == 0;
   };
@@ -185,7 +186,7 @@ TEST_CASE("a number alone and the same number among others give the same bits")
     {
       std::vector<double> alone(1);
       kernel.run(kernels::variant(0), {kernel.in[i]}, alone);
-      same = same && std::memcmp(&alone[0], &together[i], sizeof(double)) == 0;
+      same = same && std::bit_cast<std::uint64_t>(alone[0]) == std::bit_cast<std::uint64_t>(together[i]);
     }
     CAPTURE(kernel.name);
     CHECK(same);
