@@ -32,12 +32,13 @@ double distance(double got, const Fifty& exact)
 // How far Φ may be off in units of 2⁻⁵² ζ, and Φ' in units of 2⁻⁵² 2k.
 constexpr double allowed = 3;
 
-// One amplitude, its motion and the oracle's.
+// One amplitude, its motion and the oracle's; `since_bottom` is the time from the bottom to the clock's start.
 struct Case
 {
   Amplitude a;
   Motion motion;
   oracle::Motion exact;
+  Fifty since_bottom = 0;
 
   static Case zeta(double z)
   {
@@ -48,16 +49,43 @@ struct Case
     const Amplitude a = Amplitude::from_eta(e);
     return {a, Motion(a), oracle::Motion::from_eta(e)};
   }
+  Case from_rest() const { return {a, Motion(a, Start::rest), exact, exact.quarter()}; }
 
   double angle_error(double t) const
   {
-    return distance(motion.angle(t), exact.angle(t)) / (epsilon * a.zeta);
+    return distance(motion.angle(t), exact.angle(Fifty(t) + since_bottom)) / (epsilon * a.zeta);
   }
   double velocity_error(double t) const
   {
-    return distance(motion.velocity(t), exact.velocity(t)) / (epsilon * 2 * a.modulus());
+    return distance(motion.velocity(t), exact.velocity(Fifty(t) + since_bottom)) / (epsilon * 2 * a.modulus());
   }
 };
+
+void check(const Case& c, const std::vector<double>& times)
+{
+  Worst angle;
+  Worst velocity;
+  for (double t : times)
+  {
+    angle.see(t, c.angle_error(t));
+    velocity.see(t, c.velocity_error(t));
+  }
+  CAPTURE(c.a.zeta);
+  CAPTURE(c.a.eta);
+  CAPTURE(angle.at);
+  CAPTURE(velocity.at);
+  CHECK(angle.error <= allowed);
+  CHECK(velocity.error <= allowed);
+}
+
+// So many random times, in periods.
+std::vector<double> random_times(Dice& dice, const Motion& m, int n, double first, double last)
+{
+  std::vector<double> times;
+  for (int i = 0; i < n; ++i)
+    times.push_back(m.period() * dice.between(first, last));
+  return times;
+}
 
 std::vector<Case> cases()
 {
@@ -74,22 +102,7 @@ TEST_CASE("Φ and Φ' at random times within 100 periods")
 {
   Dice dice(21);
   for (const Case& c : cases())
-  {
-    Worst angle;
-    Worst velocity;
-    for (int i = 0; i < 250; ++i)
-    {
-      const double t = 100 * c.motion.period() * dice.between(-1, 1);
-      angle.see(t, c.angle_error(t));
-      velocity.see(t, c.velocity_error(t));
-    }
-    CAPTURE(c.a.zeta);
-    CAPTURE(c.a.eta);
-    CAPTURE(angle.at);
-    CAPTURE(velocity.at);
-    CHECK(angle.error <= allowed);
-    CHECK(velocity.error <= allowed);
-  }
+    check(c, random_times(dice, c.motion, 250, -100, 100));
 }
 
 TEST_CASE("the same after 10⁶ periods, and at t = 10¹²")
@@ -97,25 +110,8 @@ TEST_CASE("the same after 10⁶ periods, and at t = 10¹²")
   Dice dice(22);
   for (const Case& c : cases())
   {
-    Worst angle;
-    Worst velocity;
-    for (int i = 0; i < 150; ++i)
-    {
-      const double t = c.motion.period() * (1e6 + dice.unit());
-      angle.see(t, c.angle_error(t));
-      velocity.see(t, c.velocity_error(t));
-    }
-    for (double t : {1e9, 1e12, -1e12})
-    {
-      angle.see(t, c.angle_error(t));
-      velocity.see(t, c.velocity_error(t));
-    }
-    CAPTURE(c.a.zeta);
-    CAPTURE(c.a.eta);
-    CAPTURE(angle.at);
-    CAPTURE(velocity.at);
-    CHECK(angle.error <= allowed);
-    CHECK(velocity.error <= allowed);
+    check(c, random_times(dice, c.motion, 150, 1e6, 1e6 + 1));
+    check(c, {1e9, 1e12, -1e12});
   }
 }
 
@@ -123,21 +119,14 @@ TEST_CASE("at rest, at the bottom and one ulp beside them, after up to 10⁹ qua
 {
   for (const Case& c : cases())
   {
-    Worst angle;
-    Worst velocity;
     const double quarter = c.motion.period() / 4;
+    std::vector<double> times;
     for (double n : {0.0, 1.0, 2.0, 3.0, 4.0, 1e6, 1e6 + 1, 1e9, 1e9 + 3})
-      for (double t : {std::nextafter(n * quarter, 0.0), n * quarter, std::nextafter(n * quarter, 1e300)})
-      {
-        angle.see(t, c.angle_error(t));
-        velocity.see(t, c.velocity_error(t));
-      }
+      for (double towards : {0.0, n * quarter, 1e300})
+        times.push_back(std::nextafter(n * quarter, towards));
+    check(c, times);
     CAPTURE(c.a.zeta);
     CAPTURE(c.a.eta);
-    CAPTURE(angle.at);
-    CAPTURE(velocity.at);
-    CHECK(angle.error <= allowed);
-    CHECK(velocity.error <= allowed);
     CHECK(c.motion.angle(0) == 0);
     CHECK(exact::ulps(c.motion.velocity(0), Fifty(2) * sin(Fifty(c.a.zeta) / Fifty(2))) <= 4);
     // Φ(T/4) = ζ; there Φ is flat, so that the double nearest to T/4 is as good as T/4.
@@ -208,23 +197,10 @@ TEST_CASE("from rest it is the motion from the bottom a quarter period later")
   Dice dice(25);
   for (const Case& c : cases())
   {
-    const Motion rest(c.a, Start::rest);
-    CHECK(std::abs(rest.angle(0) - c.a.zeta) <= epsilon * c.a.zeta);
-    CHECK(rest.velocity(0) == 0);
-    Worst angle;
-    Worst velocity;
-    for (int i = 0; i < 150; ++i)
-    {
-      const double t = rest.period() * dice.between(-10, 10);
-      const Fifty since_bottom = Fifty(t) + c.exact.quarter();
-      angle.see(t, distance(rest.angle(t), c.exact.angle(since_bottom)) / (epsilon * c.a.zeta));
-      velocity.see(t, distance(rest.velocity(t), c.exact.velocity(since_bottom)) /
-                          (epsilon * 2 * c.a.modulus()));
-    }
-    CAPTURE(c.a.zeta);
-    CAPTURE(c.a.eta);
-    CHECK(angle.error <= allowed);
-    CHECK(velocity.error <= allowed);
+    const Case rest = c.from_rest();
+    CHECK(std::abs(rest.motion.angle(0) - c.a.zeta) <= epsilon * c.a.zeta);
+    CHECK(rest.motion.velocity(0) == 0);
+    check(rest, random_times(dice, rest.motion, 150, -10, 10));
   }
 }
 

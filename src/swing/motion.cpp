@@ -225,6 +225,16 @@ void same_length(std::span<const double> in, std::span<double> out)
     throw std::invalid_argument("swing: the arrays differ in length");
 }
 
+// The dual nome of K/K' with the modulus k, its complement kc and M(1, kc). Returns the quotient of the theta
+// functions at the bottom, of which one factor is 1 − q' or 1 + q'.
+Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold mean, double sign)
+{
+  p.root_q = kc * dual.root_over_modulus;
+  p.q = p.root_q * p.root_q;
+  set_log_q(p, Twofold{pi_hi, pi_lo} * agm_of_one_and(k) / mean);
+  return cofactor(p.q, -1, p.q * p.q) / (sum_of(1, sign * p.q) * cofactor(p.q, -sign * p.q, sign * p.q));
+}
+
 // Swinging.
 [[gnu::noinline]] kernels::Course prepare(Prepared& p, Amplitude a, Start start)
 {
@@ -252,13 +262,9 @@ void same_length(std::span<const double> in, std::span<double> out)
     set_swinging(p, q, small ? kernels::few_terms : kernels::series_terms);
     return started(small ? kernels::small : kernels::low, start);
   }
-  const Nome nome = nome_of(kc.hi, k.hi);
-  p.root_q = kc.hi * nome.root_over_modulus;
-  p.q = p.root_q * p.root_q;
-  set_log_q(p, Twofold{pi_hi, pi_lo} * agm_of_one_and(k) / mean);
-  const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, -p.q) * cofactor(p.q, p.q, -p.q));
-  const Twofold scale = k * at_bottom;
-  set_scales(p, scale * Twofold{2 * nome.root_over_modulus, 0}, {4 * scale.hi, 4 * scale.lo});
+  const Nome dual = nome_of(kc.hi, k.hi);
+  const Twofold scale = k * set_dual(p, dual, k, kc.hi, mean, -1);
+  set_scales(p, scale * Twofold{2 * dual.root_over_modulus, 0}, {4 * scale.hi, 4 * scale.lo});
   return started(p.q < kernels::tiny_nome ? kernels::near_top : kernels::high, start);
 }
 
@@ -277,11 +283,7 @@ void same_length(std::span<const double> in, std::span<double> out)
     set_revolving(p, nome_of(kappa.hi, kappa_c.hi).q);
     return kernels::fast;
   }
-  const Nome nome = nome_of(kappa_c.hi, kappa.hi);
-  p.root_q = kappa_c.hi * nome.root_over_modulus;
-  p.q = p.root_q * p.root_q;
-  set_log_q(p, Twofold{pi_hi, pi_lo} * agm_of_one_and(kappa) / mean);
-  const Twofold at_bottom = cofactor(p.q, -1, p.q * p.q) / (sum_of(1, p.q) * cofactor(p.q, -p.q, p.q));
+  const Twofold at_bottom = set_dual(p, nome_of(kappa_c.hi, kappa.hi), kappa, kappa_c.hi, mean, 1);
   const Twofold scale = inverse * at_bottom;
   set_scales(p, Twofold{0.5, 0} / at_bottom, {4 * scale.hi, 4 * scale.lo});
   return kernels::barely;
