@@ -141,6 +141,26 @@ TEST_CASE("the times to an angle and the angles at a time are inverse to each ot
   }
 }
 
+TEST_CASE("to just the top the time is ln tan(¼π + ¼Φ), and there infinite")
+{
+  for (double phi : {1e-9, 1.0, 3.0, 3.1415926})
+    CHECK(relative(oracle::time_from_bottom(phi, 0), log(tan((exact::pi() + Fifty(phi)) / Fifty(4)))) < 1e-38);
+  CHECK(!isfinite(oracle::time_from_bottom(exact::pi(), 0)));
+  CHECK(!isfinite(oracle::ratio_from_top(0)));
+}
+
+TEST_CASE("a time too far to tell gives NaN at once")
+{
+  for (const oracle::Motion& m : {oracle::Motion::from_zeta(1), oracle::Motion::from_eta(1e-9),
+                                  oracle::Motion::revolving(Fifty(0.1))})
+    for (double t : {3.3e149, -1e150, 1e300})
+    {
+      CHECK(isnan(m.angle(t)));
+      CHECK(isnan(m.velocity(t)));
+      CHECK(isnan(m.angle_from_top(t)));
+    }
+}
+
 TEST_CASE("107 bits are right to 2⁻⁹⁸ wherever the tests use them")
 {
   const auto off = [](swing::Twofold got, const Fifty& exact)

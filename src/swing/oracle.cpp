@@ -1,5 +1,6 @@
 #include "swing/oracle.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace swing::oracle
@@ -77,6 +78,8 @@ Fifty even_series(const Fifty& q, const Fifty& z, bool alternating, Function f)
 
 Fifty agm(Fifty a, Fifty b)
 {
+  if (a == Fifty(0) || b == Fifty(0))
+    return 0;
   while (abs(a - b) > a * Fifty(1e-30))
   {
     const Fifty mean = (a + b) / Fifty(2);
@@ -150,6 +153,8 @@ Fifty time_from_bottom(const Fifty& phi, const Fifty& eta)
   const Fifty zeta = exact::pi() - eta;
   const Fifty k = cosine_of_half(eta);
   const Fifty across = cosine_of_half(phi);
+  if (eta == Fifty(0) && phi >= zeta)
+    return Fifty(std::numeric_limits<double>::infinity());
   const Fifty left = sine_of_half(zeta - phi) * sine_of_half(zeta + phi);
   return sine_of_half(phi) * carlson_rf(left, k * k * across * across, k * k);
 }
@@ -201,6 +206,11 @@ Motion::Place Motion::place(const Fifty& t) const
   const Fifty half_period = Fifty(2) * K_;
   const Fifty u = t * rate_;
   const Fifty n = round(u / half_period);
+  if (!(abs(n) <= Fifty(1e30)))
+  {
+    const Fifty unknown(std::numeric_limits<double>::quiet_NaN());
+    return {unknown, unknown, false};
+  }
   const Fifty half = n / Fifty(2);
   return {n, u - n * half_period, half != floor(half)};
 }

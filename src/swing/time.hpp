@@ -26,8 +26,9 @@
 namespace swing
 {
 
-/// π as the sum of two doubles, and its first part is the double nearest to π.
+/// π as the sum of two doubles: the first is the double nearest to π,
 inline constexpr double pi_hi = 0x1.921fb54442d18p+1;
+/// the second what it lacks.
 inline constexpr double pi_lo = 0x1.1a62633145c07p-53;
 
 /// How far the pendulum swings: the amplitude and its supplement, each as exact as a double can be.

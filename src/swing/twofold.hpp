@@ -13,8 +13,8 @@ namespace swing
 /// hi + lo, where lo is at most half a unit in the last place of hi.
 struct Twofold
 {
-  double hi = 0;
-  double lo = 0;
+  double hi = 0; ///< the double nearest to the number
+  double lo = 0; ///< what it lacks
 };
 
 /// a + b as it is, for |a| ≥ |b| or a = 0.
@@ -48,6 +48,7 @@ inline Twofold product_of(double a, double b)
   return {product, ((ah * bh - product) + ah * (b - bh) + (a - ah) * bh) + (a - ah) * (b - bh)};
 }
 
+/// a + b.
 inline Twofold operator+(Twofold a, Twofold b)
 {
   const Twofold hi = sum_of(a.hi, b.hi);
@@ -56,21 +57,25 @@ inline Twofold operator+(Twofold a, Twofold b)
   return ordered_sum(once.hi, once.lo + lo.lo);
 }
 
+/// a·b.
 inline Twofold operator*(Twofold a, Twofold b)
 {
   const Twofold p = product_of(a.hi, b.hi);
   return ordered_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
+/// −a.
 inline Twofold operator-(Twofold a)
 {
   return {-a.hi, -a.lo};
 }
+/// a − b.
 inline Twofold operator-(Twofold a, Twofold b)
 {
   return a + -b;
 }
 
+/// a/b for b ≠ 0.
 inline Twofold operator/(Twofold a, Twofold b)
 {
   const double first = a.hi / b.hi;

@@ -15,7 +15,7 @@ namespace bench
 /// One way to the quantity of a scene.
 struct Method
 {
-  std::string name;
+  std::string name;  ///< as it stands in the table
   std::string kind;  ///< "ours", "peer", "Euler" or "classic"
   std::function<void(std::span<const double> in, std::span<double> out)>
       run;  ///< NaN where the method fails
@@ -24,23 +24,23 @@ struct Method
 /// One quantity, its arguments, and all the ways to it.
 struct Scene
 {
-  std::string name;
-  std::string quantity;
-  std::string unit;  ///< of the errors
-  std::string peer;  ///< the method whose time the others' are divided by
-  std::vector<double> in;
+  std::string name;                 ///< as it stands over the table
+  std::string quantity;             ///< what is computed, and for which arguments
+  std::string unit;                 ///< of the errors
+  std::string peer;                 ///< the method whose time the others' are divided by
+  std::vector<double> in;           ///< the arguments
   std::vector<exact::Fifty> exact;  ///< of as many of the first arguments as are judged
-  double place = 0;  ///< the unit of the error where it is not the last place: 2⁻⁵² of this
-  std::vector<Method> methods;
+  double place = 0;             ///< the unit of the error where it is not the last place: 2⁻⁵² of this
+  std::vector<Method> methods;  ///< the ways to it
 };
 
 /// How a method did: errors in the scene's unit, over the arguments that it did not fail at.
 struct Error
 {
-  double worst = 0;
-  double mean = 0;
+  double worst = 0;          ///< the largest error
+  double mean = 0;           ///< the mean of all errors
   std::size_t failures = 0;  ///< results that are no finite number where the true one is
-  std::size_t judged = 0;
+  std::size_t judged = 0;    ///< how many arguments were looked at
 };
 
 /// All scenes, in the order of the book.
