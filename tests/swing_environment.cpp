@@ -35,17 +35,19 @@ struct Setting
 {
   std::string name;
   int rounding;
-  bool flush; // subnormal results, and subnormal arguments
+  bool flush;  // subnormal results, and subnormal arguments
 };
 
 std::vector<Setting> settings()
 {
-  return {{"upward", FE_UPWARD, false},
-          {"downward", FE_DOWNWARD, false},
-          {"toward zero", FE_TOWARDZERO, false},
+  return
+  {
+    {"upward", FE_UPWARD, false}, {"downward", FE_DOWNWARD, false}, {"toward zero", FE_TOWARDZERO, false},
 #if defined(__x86_64__)
-          {"flushed", FE_TONEAREST, true},
-          {"upward and flushed", FE_UPWARD, true}
+        {"flushed", FE_TONEAREST, true},
+    {
+      "upward and flushed", FE_UPWARD, true
+    }
 #endif
   };
 }
@@ -59,11 +61,14 @@ public:
     std::fegetenv(&before_);
     std::fesetround(s.rounding);
 #if defined(__x86_64__)
-    if (s.flush)
+    if(s.flush)
       _mm_setcsr(_mm_getcsr() | _MM_FLUSH_ZERO_ON | 0x40);
 #endif
   }
-  ~Under() { std::fesetenv(&before_); }
+  ~Under()
+  {
+    std::fesetenv(&before_);
+  }
   Under(const Under&) = delete;
   Under& operator=(const Under&) = delete;
 
@@ -78,7 +83,7 @@ Numbers values(const Setting& s, const Function& f, const Numbers& in)
 {
   Numbers out(in.size());
   const Under setting(s);
-  for (std::size_t i = 0; i < in.size(); ++i)
+  for(std::size_t i = 0; i < in.size(); ++i)
     out[i] = f(in[i]);
   return out;
 }
@@ -92,13 +97,13 @@ bool same_bits(const Numbers& a, const Numbers& b)
 void check(const Function& f, const std::function<Fifty(double)>& exact, const Numbers& in, double allowed)
 {
   std::vector<Fifty> true_values;
-  for (double x : in)
+  for(double x : in)
     true_values.push_back(exact(x));
-  for (const Setting& s : settings())
+  for(const Setting& s : settings())
   {
     const Numbers out = values(s, f, in);
     Worst worst;
-    for (std::size_t i = 0; i < in.size(); ++i)
+    for(std::size_t i = 0; i < in.size(); ++i)
       worst.see(in[i], exact::ulps(out[i], true_values[i]));
     CAPTURE(s.name);
     CAPTURE(worst.at);
@@ -110,7 +115,7 @@ Numbers between(std::uint64_t seed, double a, double b)
 {
   Dice dice(seed);
   Numbers x(1000);
-  for (double& y : x)
+  for(double& y : x)
     y = dice.between(a, b);
   return x;
 }
@@ -120,8 +125,8 @@ Numbers of_all_magnitudes(std::uint64_t seed, double last)
 {
   Dice dice(seed);
   Numbers x;
-  for (double least : {1e-2, 1e-8, 1e-16, 1e-100, 1e-300})
-    for (int i = 0; i < 200; ++i)
+  for(double least : {1e-2, 1e-8, 1e-16, 1e-100, 1e-300})
+    for(int i = 0; i < 200; ++i)
       x.push_back(dice.log_between(least, last));
   return x;
 }
@@ -129,10 +134,10 @@ Numbers of_all_magnitudes(std::uint64_t seed, double last)
 // The same for an array, on each instruction set.
 void check_loop(kernels::Table::Loop kernels::Table::*loop, const Function& one, const Numbers& in)
 {
-  for (const Setting& s : settings())
+  for(const Setting& s : settings())
   {
     const Numbers single = values(s, one, in);
-    for (std::size_t v = 0; v < kernels::count(); ++v)
+    for(std::size_t v = 0; v < kernels::count(); ++v)
     {
       Numbers out(in.size());
       {
@@ -146,12 +151,13 @@ void check_loop(kernels::Table::Loop kernels::Table::*loop, const Function& one,
   }
 }
 
-} // namespace
+}  // namespace
 
-TEST_CASE("what is read from tables errs by 1.1 ulp in any setting, and an array has the bits of one number")
+TEST_CASE(
+    "what is read from tables errs by 1.1 ulp in any setting, and an array has the bits of one number")
 {
   Numbers k = between(1, 0, 1);
-  for (int j = 1; j <= 53; ++j)
+  for(int j = 1; j <= 53; ++j)
     k.push_back(1 - std::ldexp(1, -j));
   const Numbers kc = of_all_magnitudes(2, 1);
   const Numbers eta = of_all_magnitudes(3, swing::pi_hi);
@@ -182,12 +188,13 @@ TEST_CASE("what is computed by steps errs by twice as much as in round to neares
   check([](double x) { return swing::agm(1, x); }, [](double x) { return oracle::agm(1, x); }, part, 10);
   check([](double x) { return swing::time_from_bottom(x, Amplitude::from_zeta(1)); },
         [](double x) { return oracle::time_from_bottom(x, exact::pi() - Fifty(1)); }, part, 10);
-  for (double eta : {0.1, 1e-9})
+  for(double eta : {0.1, 1e-9})
     check([eta](double x) { return swing::time_from_rest_past(x, eta); },
           [eta](double x) { return oracle::time_from_rest_past(x, eta); }, part, 12);
 }
 
-TEST_CASE("a motion of the same amplitude is the same to the last bit in any setting, and leaves it as it was")
+TEST_CASE(
+    "a motion of the same amplitude is the same to the last bit in any setting, and leaves it as it was")
 {
   const std::vector<std::function<Motion()>> motions{
       [a = Amplitude::from_zeta(1e-4)] { return Motion(a); },
@@ -199,8 +206,7 @@ TEST_CASE("a motion of the same amplitude is the same to the last bit in any set
       [] { return Motion::revolving(2); },
   };
   const Numbers t = between(7, -300, 300);
-  const auto ask = [&](const Motion& m)
-  {
+  const auto ask = [&](const Motion& m) {
     Numbers out(t.size());
     Numbers all;
     const auto keep = [&] { all.insert(all.end(), out.begin(), out.end()); };
@@ -213,10 +219,10 @@ TEST_CASE("a motion of the same amplitude is the same to the last bit in any set
     all.insert(all.end(), {m.angle(t[0]), m.velocity(t[0]), m.angle_from_top(t[0])});
     return all;
   };
-  for (const auto& motion : motions)
+  for(const auto& motion : motions)
   {
     const Numbers nearest = ask(motion());
-    for (const Setting& s : settings())
+    for(const Setting& s : settings())
     {
       Numbers out;
       int rounding = 0;
@@ -245,7 +251,7 @@ TEST_CASE("where subnormal numbers are flushed, a subnormal kc or η is zero")
     swing::ratio_from_top(in, out);
   }
   CHECK(std::isinf(one));
-  for (double y : out)
+  for(double y : out)
     CHECK(std::isinf(y));
 }
 #endif

@@ -24,7 +24,7 @@ Fifty E_from_complement(const Fifty& kc)
   Fifty c2 = (Fifty(1) - kc) * (Fifty(1) + kc);
   Fifty sum = c2 / Fifty(2);
   Fifty power = 1;
-  while (c2 > Fifty(1e-48))
+  while(c2 > Fifty(1e-48))
   {
     const Fifty mean = (a + b) / Fifty(2);
     const Fifty c = (a - b) / Fifty(2);
@@ -37,11 +37,11 @@ Fifty E_from_complement(const Fifty& kc)
   return oracle::K_from_complement(kc) * (Fifty(1) - sum);
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("four routes to K agree: table, array, mean, and the periodic trapezium rule")
 {
-  for (double zeta : {0.1, 1.0, 1.5707963267948966, 2.0, 2.5, 3.0})
+  for(double zeta : {0.1, 1.0, 1.5707963267948966, 2.0, 2.5, 3.0})
   {
     CAPTURE(zeta);
     const swing::Amplitude a = swing::Amplitude::from_zeta(zeta);
@@ -55,7 +55,7 @@ TEST_CASE("four routes to K agree: table, array, mean, and the periodic trapeziu
     // The mean value of 1/√(cos² + kc² sin²); the error falls as tan²ᴺ(¼ζ) and at 3 rad needs 500 points.
     constexpr int points = 500;
     Fifty sum = 0;
-    for (int i = 0; i < points; ++i)
+    for(int i = 0; i < points; ++i)
     {
       const Fifty angle = exact::pi() * Fifty(2 * i + 1) / Fifty(2 * points);
       const Fifty c = cos(angle);
@@ -68,14 +68,15 @@ TEST_CASE("four routes to K agree: table, array, mean, and the periodic trapeziu
 
 TEST_CASE("Legendre's relation E K' + E' K − K K' = ½π, to k = 1 − 10⁻¹²")
 {
-  for (double k : {1e-6, 0.1, 0.5, 0.7, 0.9, 1 - 1e-3, 1 - 1e-6, 1 - 1e-9, 1 - 1e-12})
+  for(double k : {1e-6, 0.1, 0.5, 0.7, 0.9, 1 - 1e-3, 1 - 1e-6, 1 - 1e-9, 1 - 1e-12})
   {
     CAPTURE(k);
     const Fifty kc = sqrt((Fifty(1) - Fifty(k)) * (Fifty(1) + Fifty(k)));
     const Fifty E = E_from_complement(kc);
     const Fifty E_other = E_from_complement(Fifty(k));
-    const auto relation = [&](const Fifty& K, const Fifty& K_other)
-    { return E * K_other + E_other * K - K * K_other - exact::pi() / Fifty(2); };
+    const auto relation = [&](const Fifty& K, const Fifty& K_other) {
+      return E * K_other + E_other * K - K * K_other - exact::pi() / Fifty(2);
+    };
     CHECK(static_cast<double>(abs(relation(oracle::K_from_complement(kc), oracle::K(kc)))) < 1e-46);
     // With the two K as doubles each errs by half an ulp and the relation by (E' − K')dK + (E − K)dK'.
     const double K = swing::K(k);
@@ -89,7 +90,7 @@ TEST_CASE("Landen's step up and down: K(k) = (1 + k₁) K(k₁), k₁ = (1 − k
 {
   Dice dice(7);
   Worst worst;
-  for (int i = 0; i < 1000; ++i)
+  for(int i = 0; i < 1000; ++i)
   {
     const double kc = dice.log_between(1e-12, 1);
     // kc₁ = 2√kc/(1 + kc): the relation for the double nearest to it, whose error costs K half an ulp more.
@@ -97,8 +98,8 @@ TEST_CASE("Landen's step up and down: K(k) = (1 + k₁) K(k₁), k₁ = (1 − k
     const swing::Twofold root = swing::sqrt({kc, 0});
     const double kc1 = (swing::Twofold{2 * root.hi, 2 * root.lo} / one_and).hi;
     const swing::Twofold factor = swing::Twofold{2, 0} / one_and;
-    worst.see(kc,
-              ulps(swing::K_from_complement(kc), factor * swing::Twofold{swing::K_from_complement(kc1), 0}));
+    worst.see(
+        kc, ulps(swing::K_from_complement(kc), factor * swing::Twofold{swing::K_from_complement(kc1), 0}));
   }
   CAPTURE(worst.at);
   CHECK(worst.error <= 2);
@@ -108,7 +109,8 @@ TEST_CASE("T(150°) = √3 T(30°), by tables from end to end")
 {
   const double d = swing::pi_hi / 180;
   CHECK(exact::ulps(swing::ratio_from_bottom(150 * d),
-                    sqrt(Fifty(3)) * Fifty(swing::ratio_from_bottom(30 * d))) <= 2);
+                    sqrt(Fifty(3)) * Fifty(swing::ratio_from_bottom(30 * d)))
+        <= 2);
 }
 
 TEST_CASE("at 90°, where the nome is exchanged for its dual, nothing jumps")
@@ -120,7 +122,7 @@ TEST_CASE("at 90°, where the nome is exchanged for its dual, nothing jumps")
   REQUIRE(above.course() == swing::kernels::high);
   Worst angle;
   Worst velocity;
-  for (int i = -2000; i <= 2000; ++i)
+  for(int i = -2000; i <= 2000; ++i)
   {
     const double t = below.period() * i / 2000;
     angle.see(t, std::abs(below.angle(t) - above.angle(t)));

@@ -19,17 +19,17 @@ namespace kernels = swing::kernels;
 namespace
 {
 
-constexpr std::size_t many = 100003; // no multiple of any width
+constexpr std::size_t many = 100003;  // no multiple of any width
 
 // Fowler, Noll and Vo's hash of the bits.
 std::uint64_t hash_of(const std::vector<double>& x)
 {
   std::uint64_t h = 0xcbf29ce484222325;
-  for (double y : x)
+  for(double y : x)
   {
     std::uint64_t bits;
     std::memcpy(&bits, &y, sizeof bits);
-    for (int i = 0; i < 8; ++i)
+    for(int i = 0; i < 8; ++i)
       h = (h ^ ((bits >> (8 * i)) & 0xff)) * 0x100000001b3;
   }
   return h;
@@ -40,7 +40,7 @@ std::vector<double> arguments(std::uint64_t seed, int octaves)
 {
   Dice dice(seed);
   std::vector<double> x(many);
-  for (double& y : x)
+  for(double& y : x)
   {
     const int exponent = -static_cast<int>(dice.unit() * octaves);
     y = std::ldexp(dice.unit(), exponent);
@@ -60,8 +60,9 @@ Kernel of_numbers(const char* name, kernels::Table::Loop kernels::Table::*loop, 
                   std::uint64_t hash)
 {
   return {name,
-          [loop](const kernels::Table& table, const std::vector<double>& x, std::vector<double>& y)
-          { (table.*loop)(x.data(), y.data(), x.size()); },
+          [loop](const kernels::Table& table, const std::vector<double>& x, std::vector<double>& y) {
+            (table.*loop)(x.data(), y.data(), x.size());
+          },
           std::move(in), hash};
 }
 
@@ -69,11 +70,12 @@ Kernel of_times(const char* name, const swing::Motion& m,
                 kernels::Table::Motion kernels::Table::Questions::*asked, std::uint64_t hash)
 {
   std::vector<double> t = arguments(5, 4);
-  for (double& x : t)
+  for(double& x : t)
     x *= 4096;
   return {name,
-          [m, asked](const kernels::Table& table, const std::vector<double>& x, std::vector<double>& y)
-          { (table.motion[m.course()].*asked)(m.prepared(), x.data(), y.data(), x.size()); },
+          [m, asked](const kernels::Table& table, const std::vector<double>& x, std::vector<double>& y) {
+            (table.motion[m.course()].*asked)(m.prepared(), x.data(), y.data(), x.size());
+          },
           std::move(t), hash};
 }
 
@@ -81,7 +83,7 @@ std::vector<Kernel> all_kernels()
 {
   using Questions = kernels::Table::Questions;
   std::vector<double> eta = arguments(3, 900);
-  for (double& x : eta)
+  for(double& x : eta)
     x *= 3;
   using swing::Amplitude;
   using swing::Motion;
@@ -131,13 +133,13 @@ std::vector<Kernel> all_kernels()
   };
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("every variant that this processor can run gives the same 10⁵ doubles, and so does every machine")
 {
   MESSAGE("variants: " << kernels::count() << ", the widest is " << std::string(kernels::best().name));
-  for (const Kernel& kernel : all_kernels())
-    for (std::size_t v = 0; v < kernels::count(); ++v)
+  for(const Kernel& kernel : all_kernels())
+    for(std::size_t v = 0; v < kernels::count(); ++v)
     {
       std::vector<double> out(many);
       kernel.run(kernels::variant(v), kernel.in, out);
@@ -151,12 +153,11 @@ TEST_CASE("every variant that this processor can run gives the same 10⁵ double
 TEST_CASE("an array gives the same bits as the function of one number")
 {
   const auto same = [](void (*array)(std::span<const double>, std::span<double>), double (*one)(double),
-                       const std::vector<double>& in)
-  {
+                       const std::vector<double>& in) {
     std::vector<double> out(in.size());
     array(in, out);
     std::size_t differing = 0;
-    for (std::size_t i = 0; i < in.size(); ++i)
+    for(std::size_t i = 0; i < in.size(); ++i)
     {
       const double single = one(in[i]);
       differing += std::bit_cast<std::uint64_t>(single) != std::bit_cast<std::uint64_t>(out[i]);
@@ -166,7 +167,7 @@ TEST_CASE("an array gives the same bits as the function of one number")
   // Below their tables, out of their domains and beyond the last multiple of any width too.
   std::vector<double> x = arguments(7, 1074);
   const std::vector<double> wide = arguments(8, 60);
-  for (std::size_t i = 0; i < many; i += 3)
+  for(std::size_t i = 0; i < many; i += 3)
     x[i] = 4 * wide[i];
   x.insert(x.end(), {0.0, -0.0, 1.0, -1.0, swing::pi_hi, HUGE_VAL, std::nan("")});
   CHECK(same(swing::K, swing::K, x));
@@ -177,12 +178,12 @@ TEST_CASE("an array gives the same bits as the function of one number")
 
 TEST_CASE("a number alone and the same number among others give the same bits")
 {
-  for (const Kernel& kernel : all_kernels())
+  for(const Kernel& kernel : all_kernels())
   {
     std::vector<double> together(many);
     kernel.run(kernels::best(), kernel.in, together);
     bool same = true;
-    for (std::size_t i = 0; i < many; i += 97)
+    for(std::size_t i = 0; i < many; i += 97)
     {
       std::vector<double> alone(1);
       kernel.run(kernels::variant(0), {kernel.in[i]}, alone);

@@ -57,7 +57,8 @@ struct Case
   }
   double velocity_error(double t) const
   {
-    return distance(motion.velocity(t), exact.velocity(Fifty(t) + since_bottom)) / (epsilon * 2 * a.modulus());
+    return distance(motion.velocity(t), exact.velocity(Fifty(t) + since_bottom))
+           / (epsilon * 2 * a.modulus());
   }
 };
 
@@ -65,7 +66,7 @@ void check(const Case& c, const std::vector<double>& times)
 {
   Worst angle;
   Worst velocity;
-  for (double t : times)
+  for(double t : times)
   {
     angle.see(t, c.angle_error(t));
     velocity.see(t, c.velocity_error(t));
@@ -82,7 +83,7 @@ void check(const Case& c, const std::vector<double>& times)
 std::vector<double> random_times(Dice& dice, const Motion& m, int n, double first, double last)
 {
   std::vector<double> times;
-  for (int i = 0; i < n; ++i)
+  for(int i = 0; i < n; ++i)
     times.push_back(m.period() * dice.between(first, last));
   return times;
 }
@@ -96,19 +97,19 @@ std::vector<Case> cases()
           Case::eta(1e-9),    Case::eta(1e-15),    Case::eta(1e-100),   Case::eta(1e-307)};
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("Φ and Φ' at random times within 100 periods")
 {
   Dice dice(21);
-  for (const Case& c : cases())
+  for(const Case& c : cases())
     check(c, random_times(dice, c.motion, 250, -100, 100));
 }
 
 TEST_CASE("the same after 10⁶ periods, and at t = 10¹²")
 {
   Dice dice(22);
-  for (const Case& c : cases())
+  for(const Case& c : cases())
   {
     check(c, random_times(dice, c.motion, 150, 1e6, 1e6 + 1));
     check(c, {1e9, 1e12, -1e12});
@@ -117,12 +118,12 @@ TEST_CASE("the same after 10⁶ periods, and at t = 10¹²")
 
 TEST_CASE("at rest, at the bottom and one ulp beside them, after up to 10⁹ quarter periods")
 {
-  for (const Case& c : cases())
+  for(const Case& c : cases())
   {
     const double quarter = c.motion.period() / 4;
     std::vector<double> times;
-    for (double n : {0.0, 1.0, 2.0, 3.0, 4.0, 1e6, 1e6 + 1, 1e9, 1e9 + 3})
-      for (double towards : {0.0, n * quarter, 1e300})
+    for(double n : {0.0, 1.0, 2.0, 3.0, 4.0, 1e6, 1e6 + 1, 1e9, 1e9 + 3})
+      for(double towards : {0.0, n * quarter, 1e300})
         times.push_back(std::nextafter(n * quarter, towards));
     check(c, times);
     CAPTURE(c.a.zeta);
@@ -137,10 +138,10 @@ TEST_CASE("at rest, at the bottom and one ulp beside them, after up to 10⁹ qua
 TEST_CASE("Φ is odd and Φ' even to the last bit")
 {
   Dice dice(23);
-  for (const Case& c : cases())
+  for(const Case& c : cases())
   {
     const Motion rest(c.a, Start::rest);
-    for (int i = 0; i < 200; ++i)
+    for(int i = 0; i < 200; ++i)
     {
       const double t = dice.log_between(1e-12, 1e6);
       CHECK(c.motion.angle(-t) == -c.motion.angle(t));
@@ -153,8 +154,8 @@ TEST_CASE("Φ is odd and Φ' even to the last bit")
 
 TEST_CASE("the first instants keep their relative accuracy: Φ = 2kt")
 {
-  for (const Case& c : cases())
-    for (double t : {1e-150, 1e-20, 1e-12})
+  for(const Case& c : cases())
+    for(double t : {1e-150, 1e-20, 1e-12})
     {
       CAPTURE(c.a.zeta);
       CHECK(exact::ulps(c.motion.angle(t), Fifty(t) * Fifty(2) * sin(Fifty(c.a.zeta) / Fifty(2))) <= 8);
@@ -164,7 +165,7 @@ TEST_CASE("the first instants keep their relative accuracy: Φ = 2kt")
 TEST_CASE("the energy ½Φ'² + 1 − cos Φ does not change at 10⁶ random times")
 {
   Dice dice(24);
-  for (double zeta : {1e-5, 0.3, 1.0, right_angle, 2.0, 3.0, swing::pi_hi - 1e-6})
+  for(double zeta : {1e-5, 0.3, 1.0, right_angle, 2.0, 3.0, swing::pi_hi - 1e-6})
   {
     const Amplitude a = Amplitude::from_zeta(zeta);
     const Motion m(a);
@@ -172,14 +173,14 @@ TEST_CASE("the energy ½Φ'² + 1 − cos Φ does not change at 10⁶ random tim
     std::vector<double> t(n);
     std::vector<double> angle(n);
     std::vector<double> velocity(n);
-    for (double& x : t)
+    for(double& x : t)
       x = 1e6 * m.period() * dice.unit();
     m.angle(t, angle);
     m.velocity(t, velocity);
     const Fifty k = sin(Fifty(zeta) / Fifty(2));
     const auto energy = static_cast<double>(Fifty(2) * k * k);
     Worst worst;
-    for (std::size_t i = 0; i < n; ++i)
+    for(std::size_t i = 0; i < n; ++i)
     {
       const double s = std::sin(angle[i] / 2);
       worst.see(t[i], std::abs(velocity[i] * velocity[i] / 2 + 2 * s * s - energy) / (epsilon * energy));
@@ -195,7 +196,7 @@ TEST_CASE("the energy ½Φ'² + 1 − cos Φ does not change at 10⁶ random tim
 TEST_CASE("from rest it is the motion from the bottom a quarter period later")
 {
   Dice dice(25);
-  for (const Case& c : cases())
+  for(const Case& c : cases())
   {
     const Case rest = c.from_rest();
     CHECK(std::abs(rest.motion.angle(0) - c.a.zeta) <= epsilon * c.a.zeta);
@@ -206,12 +207,12 @@ TEST_CASE("from rest it is the motion from the bottom a quarter period later")
 
 TEST_CASE("from rest at η = 10⁻⁹ the angle from the top grows as η cosh t, to its last digits")
 {
-  for (double eta : {1e-3, 1e-9, 1e-15, 1e-200, 1e-307})
+  for(double eta : {1e-3, 1e-9, 1e-15, 1e-200, 1e-307})
   {
     const Motion m(Amplitude::from_eta(eta), Start::rest);
     const auto exact = oracle::Motion::from_eta(eta);
     CHECK(exact::ulps(m.angle_from_top(0), eta) <= 4);
-    for (double t : {1e-3, 0.5, 1.0, 5.0, 15.0})
+    for(double t : {1e-3, 0.5, 1.0, 5.0, 15.0})
     {
       const Fifty psi = exact.angle_from_top(Fifty(t) + exact.quarter());
       CAPTURE(eta);
@@ -225,7 +226,7 @@ TEST_CASE("the motion that just reaches the top is 2 arctan sinh t")
 {
   const Motion m(Amplitude::from_eta(0));
   CHECK(std::isinf(m.period()));
-  for (double t : {0.0, 1e-100, 1e-20, 1e-8, 0.1, 0.5, 0.8813, 0.8814, 1.0, 2.0, 5.0, 10.0, 30.0, 300.0})
+  for(double t : {0.0, 1e-100, 1e-20, 1e-8, 0.1, 0.5, 0.8813, 0.8814, 1.0, 2.0, 5.0, 10.0, 30.0, 300.0})
   {
     CAPTURE(t);
     const Fifty s = sinh(Fifty(t));
@@ -241,20 +242,20 @@ TEST_CASE("the motion that just reaches the top is 2 arctan sinh t")
 TEST_CASE("going round, from hardly over the top to very fast")
 {
   Dice dice(26);
-  for (double excess :
-       {1e-300, 1e-30, 1e-18, 1e-9, 1e-3, 0.5, std::nextafter(1.0, 0.0), 1.0, 1.5, 100.0, 1e10, 1e300})
+  for(double excess :
+      {1e-300, 1e-30, 1e-18, 1e-9, 1e-3, 0.5, std::nextafter(1.0, 0.0), 1.0, 1.5, 100.0, 1e10, 1e300})
   {
     const Motion m = Motion::revolving(excess);
     const auto exact = oracle::Motion::revolving(excess);
     Worst angle;
     Worst velocity;
-    for (double periods : {1.0, 1e6})
-      for (int i = 0; i < 100; ++i)
+    for(double periods : {1.0, 1e6})
+      for(int i = 0; i < 100; ++i)
       {
         const double t = m.period() * (dice.unit() + (periods - 1));
         const Fifty phi = exact.angle(t);
-        angle.see(t,
-                  distance(m.angle(t), phi) / (epsilon * std::fmax(swing::pi_hi, static_cast<double>(phi))));
+        angle.see(t, distance(m.angle(t), phi)
+                         / (epsilon * std::fmax(swing::pi_hi, static_cast<double>(phi))));
         velocity.see(t, distance(m.velocity(t), exact.velocity(t)) / (epsilon * m.velocity(0)));
       }
     CAPTURE(excess);
@@ -265,7 +266,7 @@ TEST_CASE("going round, from hardly over the top to very fast")
     CHECK(exact::ulps(m.period(), Fifty(2) * exact.quarter()) <= 1);
     CHECK(m.angle(0) == 0);
   }
-  for (double bad : {0.0, -1.0, not_a_number, std::numeric_limits<double>::infinity()})
+  for(double bad : {0.0, -1.0, not_a_number, std::numeric_limits<double>::infinity()})
     CHECK_THROWS_AS(Motion::revolving(bad), std::domain_error);
 }
 
@@ -275,7 +276,7 @@ TEST_CASE("just below the top, just over it and on it, the way up is the same")
   const Motion below(Amplitude::from_depth(2e-30));
   const Motion on(Amplitude::from_eta(0));
   const Motion over = Motion::revolving(1e-30);
-  for (double t : {0.01, 0.3, 1.0, 3.0, 10.0, 15.0})
+  for(double t : {0.01, 0.3, 1.0, 3.0, 10.0, 15.0})
   {
     CAPTURE(t);
     CHECK(std::abs(below.angle(t) - on.angle(t)) <= 4 * epsilon);
@@ -290,7 +291,7 @@ TEST_CASE("over the top, the angle runs on and the energy stays")
   const Motion m = Motion::revolving(0.01);
   Dice dice(27);
   double before = 0;
-  for (double t = 0; t < 40; t += 0.01)
+  for(double t = 0; t < 40; t += 0.01)
   {
     const double phi = m.angle(t);
     CHECK(phi >= before);
@@ -304,7 +305,7 @@ TEST_CASE("over the top, the angle runs on and the energy stays")
 
 TEST_CASE("times that are no times, and times too far to tell")
 {
-  for (const Case& c : cases())
+  for(const Case& c : cases())
   {
     CHECK(std::isnan(c.motion.angle(not_a_number)));
     CHECK(std::isnan(c.motion.velocity(not_a_number)));

@@ -20,7 +20,7 @@ struct Worst
 
   void see(double x, double e)
   {
-    if (!(e <= error))
+    if(!(e <= error))
     {
       error = e;
       at = x;

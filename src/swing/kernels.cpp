@@ -38,7 +38,7 @@ SWING_INLINE double with_sign(double x, std::uint64_t sign)
 template <unsigned first, unsigned step, unsigned n>
 SWING_INLINE double horner(const double* c, double x)
 {
-  if constexpr (first + step < n)
+  if constexpr(first + step < n)
     return c[first] + x * horner<first + step, step, n>(c, x);
   else
     return c[first];
@@ -164,15 +164,15 @@ SWING_INLINE void transpose(Wide* row)
 {
   constexpr std::make_integer_sequence<unsigned, width> places{};
 #pragma GCC unroll 8
-  for (unsigned i = 0; i < width; ++i)
-    if ((i & distance) == 0)
+  for(unsigned i = 0; i < width; ++i)
+    if((i & distance) == 0)
     {
-      if constexpr (distance == 1)
+      if constexpr(distance == 1)
         exchange_numbers(row[i], row[i + distance], places);
       else
         exchange_pairs(row[i], row[i + distance], places);
     }
-  if constexpr (2 * distance < width)
+  if constexpr(2 * distance < width)
     transpose<2 * distance>(row);
 }
 
@@ -180,10 +180,10 @@ SWING_INLINE void transpose(Wide* row)
 SWING_INLINE void read_columns(const double* table, const std::uint64_t* row, Wide* column)
 {
 #pragma GCC unroll 8
-  for (unsigned j = 0; j < tables::row_length; j += width)
+  for(unsigned j = 0; j < tables::row_length; j += width)
   {
 #pragma GCC unroll 8
-    for (unsigned i = 0; i < width; ++i)
+    for(unsigned i = 0; i < width; ++i)
       column[j + i] = load(table + row[i] + j);
     transpose(column + j);
   }
@@ -211,13 +211,13 @@ SWING_INLINE bool find_rows(const double* in, Arguments& a, std::size_t size)
 {
   using Table = typename Kernel::Table;
   std::uint64_t below = 0;
-  for (std::size_t i = 0; i < size; ++i)
+  for(std::size_t i = 0; i < size; ++i)
   {
     const double x = Kernel::argument(in[i]);
     const double inside = in_domain<Table>(x);
     a.given[i] = x;
     a.row[i] = rows::row_of<Table>(inside);
-    if constexpr (Kernel::inexact)
+    if constexpr(Kernel::inexact)
       a.lost[i] = Kernel::lost(in[i]);
     below |= inside < Table::start;
   }
@@ -229,7 +229,7 @@ template <class Kernel>
 SWING_INLINE void find_rows_doubled(Arguments& a, std::size_t size)
 {
   using Table = typename Kernel::Table;
-  for (std::size_t i = 0; i < size; ++i)
+  for(std::size_t i = 0; i < size; ++i)
   {
     const rows::Doubled d = rows::doubled<Table>(in_domain<Table>(a.given[i]), a.lost[i]);
     a.doubled[i] = d.x;
@@ -244,23 +244,23 @@ template <class Kernel, bool doubled>
 SWING_INLINE void read_rows(const Arguments& a, double* out, std::size_t size)
 {
   using Table = typename Kernel::Table;
-  for (std::size_t i = 0; i < size; i += width)
+  for(std::size_t i = 0; i < size; i += width)
   {
     Wide c[tables::row_length];
     read_columns(Table::rows, a.row + i, c);
     const Wide given = load(a.given + i);
     Wide t = (doubled ? load(a.doubled + i) : given) - c[0];
-    if constexpr (Kernel::inexact)
+    if constexpr(Kernel::inexact)
       t += load(a.lost + i);
     rows::Sum<Wide> sum{c[1], rows::beyond_centre(c, t)};
-    if constexpr (doubled)
+    if constexpr(doubled)
       sum = rows::halved<Table>(sum, load(a.doublings + i));
     const Wide outside = given == 0 ? Wide{} + inf : Wide{} + nan;
     const Wide value = ((given > 0) & (given <= Table::last)) ? sum.main + sum.rest : outside;
-    if (size - i >= width)
+    if(size - i >= width)
       __builtin_memcpy(out + i, &value, sizeof value);
     else
-      for (std::size_t j = i; j < size; ++j)
+      for(std::size_t j = i; j < size; ++j)
         out[j] = value[j - i];
   }
 }
@@ -269,12 +269,12 @@ template <class Kernel>
 void table_loop(const double* in, double* out, std::size_t n)
 {
   Arguments a;
-  for (std::size_t start = 0; start < n; start += block)
+  for(std::size_t start = 0; start < n; start += block)
   {
     const std::size_t size = n - start < block ? n - start : block;
     const bool below = find_rows<Kernel>(in + start, a, size);
-    if constexpr (Kernel::endless)
-      if (below)
+    if constexpr(Kernel::endless)
+      if(below)
       {
         find_rows_doubled<Kernel>(a, size);
         read_rows<Kernel, true>(a, out + start, size);
@@ -349,19 +349,19 @@ struct Fast
   }
   SWING_INLINE static double angle(const Prepared& p, Part r, Part to_top)
   {
-    return r.value * (2 * pi_hi) +
-           (r.value * (2 * pi_lo) + r.lost * (2 * pi_hi) + beyond_mean(p, r, to_top));
+    return r.value * (2 * pi_hi)
+           + (r.value * (2 * pi_lo) + r.lost * (2 * pi_hi) + beyond_mean(p, r, to_top));
   }
   SWING_INLINE static double from_top(const Prepared& p, Part r, Part to_top)
   {
-    return to_top.value * (2 * pi_hi) +
-           (to_top.value * (2 * pi_lo) + to_top.lost * (2 * pi_hi) - beyond_mean(p, r, to_top));
+    return to_top.value * (2 * pi_hi)
+           + (to_top.value * (2 * pi_lo) + to_top.lost * (2 * pi_hi) - beyond_mean(p, r, to_top));
   }
   SWING_INLINE static double speed(const Prepared& p, Part r, Part)
   {
     const double s = sine_of_turns(r);
-    return p.velocity_scale +
-           p.velocity_scale * (p.velocity_scale_lost + (s * s) * polynomial(p.velocity_series, s * s));
+    return p.velocity_scale
+           + p.velocity_scale * (p.velocity_scale_lost + (s * s) * polynomial(p.velocity_series, s * s));
   }
 };
 
@@ -409,7 +409,7 @@ template <int terms>
 SWING_INLINE double beyond_one(const Prepared& p, double x, double y)
 {
   const double three = 1 + x * (1 + x);
-  if constexpr (terms == 1)
+  if constexpr(terms == 1)
     return y * three;
   const double five = 1 + x * (1 + x * three);
   const double q2 = p.q * p.q;
@@ -455,10 +455,7 @@ struct Quotient
 template <int terms>
 struct High
 {
-  SWING_INLINE static Theta theta(const Prepared& p, Part r, Part)
-  {
-    return theta_from_bottom(p, r);
-  }
+  SWING_INLINE static Theta theta(const Prepared& p, Part r, Part) { return theta_from_bottom(p, r); }
   SWING_INLINE static Quotient tangent(const Prepared& p, const Theta& t)
   {
     return {p.angle_scale * (t.one_minus_G * (1 + Cofactors<terms>::of_1(p, t))),
@@ -474,10 +471,7 @@ struct High
 // Revolving with little energy: C θ₁/θ₄ of the dual nome, and Φ' goes as θ₃/θ₂.
 struct Barely
 {
-  SWING_INLINE static Theta theta(const Prepared& p, Part r, Part to_top)
-  {
-    return theta_of(p, r, to_top);
-  }
+  SWING_INLINE static Theta theta(const Prepared& p, Part r, Part to_top) { return theta_of(p, r, to_top); }
   SWING_INLINE static Quotient tangent(const Prepared& p, const Theta& t)
   {
     return {p.angle_scale * (t.one_minus_G * (1 + Cofactors<3>::of_1(p, t))),
@@ -507,10 +501,10 @@ enum class From
 // Where in its half swing the pendulum is: of the time, n half swings are taken off.
 struct Phase
 {
-  Part behind;        // since the bottom, in half swings
-  Part ahead;         // what is left to rest or to the top: the rest of ½
-  double n;           // a whole number
-  std::uint64_t sign; // of what is asked
+  Part behind;         // since the bottom, in half swings
+  Part ahead;          // what is left to rest or to the top: the rest of ½
+  double n;            // a whole number
+  std::uint64_t sign;  // of what is asked
 };
 
 // The product t·f is formed exactly; n is taken off before the rest is added. Started at rest, what is left
@@ -530,9 +524,9 @@ SWING_INLINE Phase phase_of(const Prepared& p, double t)
   const double left = 0.5 - near.value;
   const double rounded = left - near.lost;
   const Part far{rounded, (left - rounded) - near.lost};
-  if constexpr (from == From::bottom)
+  if constexpr(from == From::bottom)
     return {near, far, n, asked == Asked::angle ? parity ^ sign : asked == Asked::velocity ? parity : 0};
-  else if constexpr (from == From::rest)
+  else if constexpr(from == From::rest)
     return {far, near, n,
             asked == Asked::angle      ? parity
             : asked == Asked::velocity ? parity ^ sign ^ sign_bit
@@ -546,7 +540,7 @@ template <From from, Asked asked>
 SWING_INLINE double finished(const Prepared& p, double t, double n, std::uint64_t sign, double value)
 {
   double result = with_sign(value, sign);
-  if constexpr (from == From::going_round && asked == Asked::angle)
+  if constexpr(from == From::going_round && asked == Asked::angle)
     result = n * (2 * pi_hi) + (n * (2 * pi_lo) + result);
   return magnitude(t * p.f_hi) <= p.reach ? result : nan;
 }
@@ -556,13 +550,13 @@ template <class Form, From from, Asked asked>
 void series_loop(const Prepared& prepared, const double* t, double* out, std::size_t n)
 {
   const Prepared p = prepared;
-  for (std::size_t i = 0; i < n; ++i)
+  for(std::size_t i = 0; i < n; ++i)
   {
     const Phase s = phase_of<from, asked>(p, t[i]);
     double value = 0;
-    if constexpr (asked == Asked::angle)
+    if constexpr(asked == Asked::angle)
       value = Form::angle(p, s.behind, s.ahead);
-    else if constexpr (asked == Asked::velocity)
+    else if constexpr(asked == Asked::velocity)
       value = Form::speed(p, s.behind, s.ahead);
     else
       value = Form::from_top(p, s.behind, s.ahead);
@@ -581,7 +575,7 @@ SWING_INLINE Theta theta_for(const Prepared& p, Part behind, Part ahead)
 template <class Form, Asked asked>
 SWING_INLINE Quotient quotient_for(const Prepared& p, const Theta& t)
 {
-  if constexpr (asked == Asked::velocity)
+  if constexpr(asked == Asked::velocity)
     return {Form::speed(p, t), 1};
   const Quotient q = Form::tangent(p, t);
   return asked == Asked::angle ? q : Quotient{q.below, q.above};
@@ -613,7 +607,7 @@ template <class Form, From from, Asked asked>
 void theta_loop(const Prepared& prepared, const double* t, double* out, std::size_t n)
 {
   const Prepared p = prepared;
-  if (n == 1)
+  if(n == 1)
   {
     const Phase s = phase_of<from, asked>(p, t[0]);
     const Theta theta = theta_for<Form, asked>(p, s.behind, s.ahead);
@@ -622,10 +616,10 @@ void theta_loop(const Prepared& prepared, const double* t, double* out, std::siz
     return;
   }
   Steps x;
-  for (std::size_t start = 0; start < n; start += block)
+  for(std::size_t start = 0; start < n; start += block)
   {
     const std::size_t size = n - start < block ? n - start : block;
-    for (std::size_t i = 0; i < size; ++i)
+    for(std::size_t i = 0; i < size; ++i)
     {
       const Phase s = phase_of<from, asked>(p, t[start + i]);
       x.behind[i] = s.behind.value;
@@ -635,7 +629,7 @@ void theta_loop(const Prepared& prepared, const double* t, double* out, std::siz
       x.n[i] = s.n;
       x.sign[i] = s.sign;
     }
-    for (std::size_t i = 0; i < size; ++i)
+    for(std::size_t i = 0; i < size; ++i)
     {
       const Theta theta =
           theta_for<Form, asked>(p, {x.behind[i], x.behind_lost[i]}, {x.ahead[i], x.ahead_lost[i]});
@@ -644,14 +638,13 @@ void theta_loop(const Prepared& prepared, const double* t, double* out, std::siz
       x.one_minus_G[i] = theta.one_minus_G;
       x.one_minus_H[i] = theta.one_minus_H;
     }
-    for (std::size_t i = 0; i < size; ++i)
+    for(std::size_t i = 0; i < size; ++i)
     {
-      const Quotient q =
-          quotient_for<Form, asked>(p, {x.g[i], x.h[i], x.one_minus_G[i], x.one_minus_H[i]});
+      const Quotient q = quotient_for<Form, asked>(p, {x.g[i], x.h[i], x.one_minus_G[i], x.one_minus_H[i]});
       x.above[i] = q.above;
       x.below[i] = q.below;
     }
-    for (std::size_t i = 0; i < size; ++i)
+    for(std::size_t i = 0; i < size; ++i)
     {
       const double value = value_for<asked>({x.above[i], x.below[i]});
       out[start + i] = finished<from, asked>(p, t[start + i], x.n[i], x.sign[i], value);
@@ -668,23 +661,19 @@ constexpr Table::Questions by_theta{theta_loop<Form, from, Asked::angle>,
                                     theta_loop<Form, from, Asked::velocity>,
                                     theta_loop<Form, from, Asked::from_top>};
 
-} // namespace
+}  // namespace
 
 extern const Table SWING_VARIANT;
-const Table SWING_VARIANT = {SWING_NAME(SWING_VARIANT),
-                             table_loop<By_modulus>,
-                             table_loop<As_given<rows::K_by_complement>>,
-                             table_loop<By_zeta>,
-                             table_loop<As_given<rows::Ratio_by_eta>>,
-                             {by_series<Low<few_terms>, From::bottom>,
-                              by_series<Low<few_terms>, From::rest>,
-                              by_series<Low<series_terms>, From::bottom>,
-                              by_series<Low<series_terms>, From::rest>,
-                              by_theta<High<3>, From::bottom>,
-                              by_theta<High<3>, From::rest>,
-                              by_theta<High<1>, From::bottom>,
-                              by_theta<High<1>, From::rest>,
-                              by_series<Fast, From::going_round>,
-                              by_theta<Barely, From::going_round>}};
+const Table SWING_VARIANT = {
+    SWING_NAME(SWING_VARIANT),
+    table_loop<By_modulus>,
+    table_loop<As_given<rows::K_by_complement>>,
+    table_loop<By_zeta>,
+    table_loop<As_given<rows::Ratio_by_eta>>,
+    {by_series<Low<few_terms>, From::bottom>, by_series<Low<few_terms>, From::rest>,
+     by_series<Low<series_terms>, From::bottom>, by_series<Low<series_terms>, From::rest>,
+     by_theta<High<3>, From::bottom>, by_theta<High<3>, From::rest>, by_theta<High<1>, From::bottom>,
+     by_theta<High<1>, From::rest>, by_series<Fast, From::going_round>,
+     by_theta<Barely, From::going_round>}};
 
-} // namespace swing::kernels
+}  // namespace swing::kernels

@@ -25,66 +25,67 @@ inline constexpr double tiny_nome = 0x1p-14;
 /// is.
 struct Prepared
 {
-  double f_hi = 0;       ///< half swings (or half turns) per unit of time, the leading double
-  double f_head = 0;     ///< its upper 26 bits
-  double f_tail = 0;     ///< f_hi − f_head
-  double f_lo = 0;       ///< what f_hi lacks, to 107 bits in all
-  double reach = 0x1p50; ///< as many half swings can be told apart
+  double f_hi = 0;        ///< half swings (or half turns) per unit of time, the leading double
+  double f_head = 0;      ///< its upper 26 bits
+  double f_tail = 0;      ///< f_hi − f_head
+  double f_lo = 0;        ///< what f_hi lacks, to 107 bits in all
+  double reach = 0x1p50;  ///< as many half swings can be told apart
 
-  double angle_series[series_terms] = {};    ///< of Φ in powers of x = (sin z / π)²
-  double velocity_series[series_terms] = {}; ///< of Φ' in the same
-  double log_q_hi = 0;   ///< −ln q' of the dual nome: the argument of the hyperbolic functions per half swing
-  double log_q_head = 0; ///< its upper 26 bits
-  double log_q_tail = 0; ///< log_q_hi − log_q_head
-  double log_q_lo = 0;   ///< what log_q_hi lacks
-  double root_q = 0;     ///< √q'
-  double q = 0;          ///< q'
+  double angle_series[series_terms] = {};     ///< of Φ in powers of x = (sin z / π)²
+  double velocity_series[series_terms] = {};  ///< of Φ' in the same
+  double log_q_hi =
+      0;  ///< −ln q' of the dual nome: the argument of the hyperbolic functions per half swing
+  double log_q_head = 0;  ///< its upper 26 bits
+  double log_q_tail = 0;  ///< log_q_hi − log_q_head
+  double log_q_lo = 0;    ///< what log_q_hi lacks
+  double root_q = 0;      ///< √q'
+  double q = 0;           ///< q'
 
-  double angle_scale = 0;         ///< factor of the series of Φ or of tan ½Φ
-  double velocity_scale = 0;      ///< factor of Φ'
-  double angle_scale_lost = 0;    ///< what the first was rounded by, relative to it
-  double velocity_scale_lost = 0; ///< what the second was rounded by, relative to it
+  double angle_scale = 0;          ///< factor of the series of Φ or of tan ½Φ
+  double velocity_scale = 0;       ///< factor of Φ'
+  double angle_scale_lost = 0;     ///< what the first was rounded by, relative to it
+  double velocity_scale_lost = 0;  ///< what the second was rounded by, relative to it
 };
 
 /// The courses a motion can take, each with its own formula. One started at rest follows upon the same
 /// started at the bottom.
 enum Course : int
 {
-  small,              ///< swinging, ζ up to 10.1°, the clock started at the bottom
-  small_from_rest,    ///< the same started at rest
-  low,                ///< swinging, ζ from there to 90°
-  low_from_rest,      ///< the same started at rest
-  high,               ///< swinging, ζ > 90°
-  high_from_rest,     ///< the same started at rest
-  near_top,           ///< swinging, η < 3.6°
-  near_top_from_rest, ///< the same started at rest
-  fast,               ///< revolving, with at least twice the energy that just reaches the top
-  barely              ///< revolving with less
+  small,               ///< swinging, ζ up to 10.1°, the clock started at the bottom
+  small_from_rest,     ///< the same started at rest
+  low,                 ///< swinging, ζ from there to 90°
+  low_from_rest,       ///< the same started at rest
+  high,                ///< swinging, ζ > 90°
+  high_from_rest,      ///< the same started at rest
+  near_top,            ///< swinging, η < 3.6°
+  near_top_from_rest,  ///< the same started at rest
+  fast,                ///< revolving, with at least twice the energy that just reaches the top
+  barely               ///< revolving with less
 };
 
 /// One of the instruction sets, with all loops compiled for it. `in` and `out` have n elements; they may be
 /// the same array.
 struct Table
 {
-  const char* name; ///< "sse2", "avx2", "avx512" (or "portable" where there is but one)
+  const char* name;  ///< "sse2", "avx2", "avx512" (or "portable" where there is but one)
 
   /// A loop over numbers.
   using Loop = void (*)(const double* in, double* out, std::size_t n);
-  Loop K;                 ///< of k
-  Loop K_from_complement; ///< of kc
-  Loop ratio;             ///< of ζ
-  Loop ratio_from_top;    ///< of η
+  Loop K;                  ///< of k
+  Loop K_from_complement;  ///< of kc
+  Loop ratio;              ///< of ζ
+  Loop ratio_from_top;     ///< of η
 
   /// A loop over times.
   using Motion = void (*)(const Prepared& p, const double* t, double* out, std::size_t n);
   /// What is asked of a motion.
   struct Questions
   {
-    Motion angle;    ///< Φ
-    Motion velocity; ///< Φ'
-    Motion from_top; ///< the angle from the top, π − |Φ| in the first swing
+    Motion angle;     ///< Φ
+    Motion velocity;  ///< Φ'
+    Motion from_top;  ///< the angle from the top, π − |Φ| in the first swing
   };
-  Questions motion[10]; ///< by Course
+  Questions motion[10];  ///< by Course
 };
 
 /// How many variants this processor can run, from the plainest to the widest; at least one.
@@ -96,4 +97,4 @@ const Table& variant(std::size_t i);
 /// The widest.
 const Table& best();
 
-} // namespace swing::kernels
+}  // namespace swing::kernels

@@ -61,12 +61,12 @@ class To_nearest
 public:
   To_nearest() : before_(settings())
   {
-    if (to_nearest(before_) != before_)
+    if(to_nearest(before_) != before_)
       set(to_nearest(before_));
   }
   ~To_nearest()
   {
-    if (to_nearest(before_) != before_)
+    if(to_nearest(before_) != before_)
       set(before_);
   }
   To_nearest(const To_nearest&) = delete;
@@ -112,7 +112,7 @@ void set_scales(Prepared& p, Twofold angle, Twofold velocity)
 {
   p.angle_scale = angle.hi;
   p.velocity_scale = velocity.hi;
-  if (angle.hi > 0)
+  if(angle.hi > 0)
   {
     p.angle_scale_lost = angle.lo / angle.hi;
     p.velocity_scale_lost = velocity.lo / velocity.hi;
@@ -147,11 +147,11 @@ Series sum_of_multiples(Series before_first, Series first, unsigned last, Coeffi
   Series before = before_first;
   Series f = first;
   Series sum{};
-  for (unsigned n = 0; n <= last; ++n)
+  for(unsigned n = 0; n <= last; ++n)
   {
     const double factor = a(n);
     Series next{};
-    for (std::size_t j = 0; j < f.size(); ++j)
+    for(std::size_t j = 0; j < f.size(); ++j)
     {
       sum[j] += factor * f[j];
       next[j] = 2 * f[j] - before[j] - (j > 0 ? 4 * pi_hi * pi_hi * f[j - 1] : 0);
@@ -165,7 +165,7 @@ Series sum_of_multiples(Series before_first, Series first, unsigned last, Coeffi
 double power(double q, unsigned n)
 {
   double result = 1;
-  for (; n > 0; --n)
+  for(; n > 0; --n)
     result *= q;
   return result;
 }
@@ -175,7 +175,7 @@ double power(double q, unsigned n)
 // to it.
 double set_relative(double (&to)[kernels::series_terms], const Series& c, double next)
 {
-  for (std::size_t j = 0; j < kernels::series_terms; ++j)
+  for(std::size_t j = 0; j < kernels::series_terms; ++j)
     to[j] = c[j + 1] / c[0];
   return -next / c[0];
 }
@@ -184,12 +184,13 @@ double set_relative(double (&to)[kernels::series_terms], const Series& c, double
 // the signs alternate; sin (2n+1)z = sin z fₙ with f₋₁ = −1 and, at z = 0, fₙ = 2n+1.
 void set_swinging(Prepared& p, double q, unsigned terms)
 {
-  const auto velocity = [q](unsigned n)
-  { return (n % 2 == 0 ? 1 : -1) * power(q, n) / (1 + power(q, 2 * n + 1)); };
+  const auto velocity = [q](unsigned n) {
+    return (n % 2 == 0 ? 1 : -1) * power(q, n) / (1 + power(q, 2 * n + 1));
+  };
   const auto angle = [&](unsigned n) { return std::abs(velocity(n)) / (2 * n + 1); };
   const unsigned next = terms + 1;
-  p.angle_scale_lost += set_relative(p.angle_series, sum_of_multiples({-1}, {1}, terms, angle),
-                                     (2 * next + 1) * angle(next));
+  p.angle_scale_lost +=
+      set_relative(p.angle_series, sum_of_multiples({-1}, {1}, terms, angle), (2 * next + 1) * angle(next));
   p.velocity_scale_lost += set_relative(p.velocity_series, sum_of_multiples({-1}, {1}, terms, velocity),
                                         (2 * next + 1) * velocity(next));
 }
@@ -221,7 +222,7 @@ Twofold cofactor(double q, double x, double y)
 
 void same_length(std::span<const double> in, std::span<double> out)
 {
-  if (in.size() != out.size())
+  if(in.size() != out.size())
     throw std::invalid_argument("swing: the arrays differ in length");
 }
 
@@ -238,9 +239,9 @@ Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold me
 // Swinging.
 [[gnu::noinline]] kernels::Course prepare(Prepared& p, Amplitude a, Start start)
 {
-  if (a.eta == 0)
+  if(a.eta == 0)
   {
-    if (start == Start::rest)
+    if(start == Start::rest)
       throw std::domain_error("swing: at rest at the top the pendulum stays there");
     set_frequency(p, {0x1p-500, 0});
     p.reach = 0.25;
@@ -253,7 +254,7 @@ Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold me
   const Twofold kc = sin(half({a.eta, a.eta_rest}));
   const Twofold mean = agm_of_one_and(kc);
   set_frequency(p, mean * Twofold{tables::one_over_pi_hi, tables::one_over_pi_lo});
-  if (a.zeta <= a.eta)
+  if(a.zeta <= a.eta)
   {
     const Twofold scale = k * Twofold{2 * pi_hi, 2 * pi_lo} / mean;
     set_scales(p, scale, scale * kc);
@@ -276,7 +277,7 @@ Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold me
   const Twofold kappa_c = sqrt(Twofold{excess, 0}) / inverse;
   const Twofold mean = agm_of_one_and(kappa_c);
   set_frequency(p, mean * inverse * Twofold{tables::one_over_pi_hi, tables::one_over_pi_lo});
-  if (excess >= 1)
+  if(excess >= 1)
   {
     p.velocity_scale = 2 * inverse.hi;
     p.velocity_scale_lost = inverse.lo / inverse.hi;
@@ -289,7 +290,7 @@ Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold me
   return kernels::barely;
 }
 
-} // namespace
+}  // namespace
 
 Motion::Motion(Amplitude a, Start start)
 {
@@ -299,7 +300,7 @@ Motion::Motion(Amplitude a, Start start)
 
 Motion Motion::revolving(double excess)
 {
-  if (!(excess > 0 && excess <= 1e300))
+  if(!(excess > 0 && excess <= 1e300))
     throw std::domain_error("swing: the excess of energy must be positive and at most 1e300");
   const To_nearest whatever_was_set;
   Motion m;
@@ -348,9 +349,9 @@ void Motion::angle_from_top(std::span<const double> t, std::span<double> out) co
 
 double Motion::period() const
 {
-  if (prepared_.reach < 1)
+  if(prepared_.reach < 1)
     return std::numeric_limits<double>::infinity();
   return (course_ == kernels::fast || course_ == kernels::barely ? 1 : 2) / prepared_.f_hi;
 }
 
-} // namespace swing
+}  // namespace swing

@@ -29,8 +29,8 @@ namespace swing
 /// Where the clock starts.
 enum class Start
 {
-  bottom, ///< at the lowest point, moving towards positive angles
-  rest    ///< at rest at Φ = ζ
+  bottom,  ///< at the lowest point, moving towards positive angles
+  rest     ///< at rest at Φ = ζ
 };
 
 /// The motion of one pendulum.
@@ -82,4 +82,4 @@ private:
   kernels::Course course_ = kernels::low;
 };
 
-} // namespace swing
+}  // namespace swing

@@ -27,7 +27,7 @@ Fifty sine_of_half(const Fifty& angle)
 Fifty carlson_rf(Fifty x, Fifty y, Fifty z)
 {
   Fifty mean = (x + y + z) / Fifty(3);
-  while (abs(x - mean) + abs(y - mean) + abs(z - mean) > mean * Fifty(3e-7))
+  while(abs(x - mean) + abs(y - mean) + abs(z - mean) > mean * Fifty(3e-7))
   {
     const Fifty lambda = sqrt(x) * sqrt(y) + sqrt(y) * sqrt(z) + sqrt(z) * sqrt(x);
     x = (x + lambda) / Fifty(4);
@@ -40,9 +40,9 @@ Fifty carlson_rf(Fifty x, Fifty y, Fifty z)
   const Fifty dz = -dx - dy;
   const Fifty e2 = dx * dy - dz * dz;
   const Fifty e3 = dx * dy * dz;
-  const Fifty series = Fifty(1) - e2 / Fifty(10) + e3 / Fifty(14) + e2 * e2 / Fifty(24) -
-                       Fifty(3) * e2 * e3 / Fifty(44) - Fifty(5) * e2 * e2 * e2 / Fifty(208) +
-                       Fifty(3) * e3 * e3 / Fifty(104) + e2 * e2 * e3 / Fifty(16);
+  const Fifty series = Fifty(1) - e2 / Fifty(10) + e3 / Fifty(14) + e2 * e2 / Fifty(24)
+                       - Fifty(3) * e2 * e3 / Fifty(44) - Fifty(5) * e2 * e2 * e2 / Fifty(208)
+                       + Fifty(3) * e3 * e3 / Fifty(104) + e2 * e2 * e3 / Fifty(16);
   return series / sqrt(mean);
 }
 
@@ -52,7 +52,7 @@ Fifty odd_series(const Fifty& q, const Fifty& z, bool alternating, Function f)
 {
   Fifty sum = 0;
   Fifty power = 1;
-  for (int n = 0; n < 14; ++n)
+  for(int n = 0; n < 14; ++n)
   {
     sum += (alternating && n % 2 == 1 ? -power : power) * f(z * Fifty(2 * n + 1));
     power *= pow(q, 2 * n + 2);
@@ -66,7 +66,7 @@ Fifty even_series(const Fifty& q, const Fifty& z, bool alternating, Function f)
 {
   Fifty sum = 1;
   Fifty power = q;
-  for (int n = 1; n < 14; ++n)
+  for(int n = 1; n < 14; ++n)
   {
     sum += Fifty(2) * (alternating && n % 2 == 1 ? -power : power) * f(z * Fifty(2 * n));
     power *= pow(q, 2 * n + 1);
@@ -74,13 +74,13 @@ Fifty even_series(const Fifty& q, const Fifty& z, bool alternating, Function f)
   return sum;
 }
 
-} // namespace
+}  // namespace
 
 Fifty agm(Fifty a, Fifty b)
 {
-  if (a == Fifty(0) || b == Fifty(0))
+  if(a == Fifty(0) || b == Fifty(0))
     return 0;
-  while (abs(a - b) > a * Fifty(1e-30))
+  while(abs(a - b) > a * Fifty(1e-30))
   {
     const Fifty mean = (a + b) / Fifty(2);
     b = sqrt(a * b);
@@ -109,7 +109,7 @@ Fifty K_by_series(const Fifty& kc)
   Fifty power = 1;
   Fifty r = 0;
   Fifty sum = 0;
-  for (int n = 0; power > enough(); ++n)
+  for(int n = 0; power > enough(); ++n)
   {
     sum += direct ? a * a * power : a * a * power * (L - r);
     a *= Fifty(2 * n + 1) / Fifty(2 * n + 2);
@@ -137,7 +137,7 @@ Fifty ratio_excess(const Fifty& zeta)
   Fifty next = Fifty(1) - quarter * quarter;
   Fifty c = quarter * quarter;
   Fifty missing = c;
-  while (c > missing * enough() && c > Fifty(0))
+  while(c > missing * enough() && c > Fifty(0))
   {
     b = sqrt(a * b);
     a = next;
@@ -153,7 +153,7 @@ Fifty time_from_bottom(const Fifty& phi, const Fifty& eta)
   const Fifty zeta = exact::pi() - eta;
   const Fifty k = cosine_of_half(eta);
   const Fifty across = cosine_of_half(phi);
-  if (eta == Fifty(0) && phi >= zeta)
+  if(eta == Fifty(0) && phi >= zeta)
     return Fifty(std::numeric_limits<double>::infinity());
   const Fifty left = sine_of_half(zeta - phi) * sine_of_half(zeta + phi);
   return sine_of_half(phi) * carlson_rf(left, k * k * across * across, k * k);
@@ -166,15 +166,15 @@ Fifty time_from_rest_past(const Fifty& past, const Fifty& eta)
   const Fifty c = cosine_of_half(eta);
   const Fifty across = cosine_of_half(psi);
   const Fifty down = sine_of_half(psi);
-  return sqrt(sine_of_half(past) * sine_of_half(psi + eta)) *
-         carlson_rf(s * s * across * across, s * s * c * c, c * c * down * down);
+  return sqrt(sine_of_half(past) * sine_of_half(psi + eta))
+         * carlson_rf(s * s * across * across, s * s * c * c, c * c * down * down);
 }
 
 // Where in its half period the motion is.
 struct Motion::Place
 {
-  Fifty n; // half periods gone
-  Fifty u; // what is left, |u| ≤ K, in the argument of the elliptic functions
+  Fifty n;  // half periods gone
+  Fifty u;  // what is left, |u| ≤ K, in the argument of the elliptic functions
   bool odd;
 };
 
@@ -206,7 +206,7 @@ Motion::Place Motion::place(const Fifty& t) const
   const Fifty half_period = Fifty(2) * K_;
   const Fifty u = t * rate_;
   const Fifty n = round(u / half_period);
-  if (!(abs(n) <= Fifty(1e30)))
+  if(!(abs(n) <= Fifty(1e30)))
   {
     const Fifty unknown(std::numeric_limits<double>::quiet_NaN());
     return {unknown, unknown, false};
@@ -231,7 +231,7 @@ Motion::Quotient Motion::tangent_of_half(const Fifty& u) const
   const Fifty theta2_0 = odd_series(q_, Fifty(0), false, c);
   const Fifty theta3_0 = even_series(q_, Fifty(0), false, c);
   const Fifty theta4_0 = even_series(q_, Fifty(0), true, c);
-  if (turns_)
+  if(turns_)
     return {theta3_0 * theta1,
             dual_ ? theta2_0 * even_series(q_, z, true, c) : theta4_0 * odd_series(q_, z, false, c)};
   const Fifty scale = dual_ ? theta4_0 : Fifty(4) * sqrt(q_) * theta2_0;
@@ -243,7 +243,7 @@ Fifty Motion::angle(const Fifty& t) const
   const Place p = place(t);
   const Quotient q = tangent_of_half(p.u);
   const Fifty part = Fifty(2) * atan2(q.above, q.below);
-  if (turns_)
+  if(turns_)
     return Fifty(2) * exact::pi() * p.n + part;
   return p.odd ? -part : part;
 }
@@ -264,7 +264,7 @@ Fifty Motion::velocity(const Fifty& t) const
   const Fifty theta2 = odd_series(q_, z, false, c) / odd_series(q_, zero, false, c);
   const Fifty theta3 = even_series(q_, z, false, c) / even_series(q_, zero, false, c);
   const Fifty theta4 = even_series(q_, z, true, c) / even_series(q_, zero, true, c);
-  if (turns_)
+  if(turns_)
     return Fifty(2) * rate_ * (dual_ ? theta3 / theta2 : theta3 / theta4);
   const Fifty speed = Fifty(2) * k_ * (dual_ ? theta4 / theta2 : theta2 / theta4);
   return p.odd ? -speed : speed;
@@ -278,7 +278,7 @@ Fifty Motion::angle_by_landen(const Fifty& t) const
   std::vector<Fifty> a{Fifty(1)};
   std::vector<Fifty> c{k_};
   Fifty b = kc_;
-  while (abs(c.back()) > enough())
+  while(abs(c.back()) > enough())
   {
     const Fifty mean = (a.back() + b) / Fifty(2);
     c.push_back(c.back() * c.back() / (Fifty(4) * mean));
@@ -286,9 +286,9 @@ Fifty Motion::angle_by_landen(const Fifty& t) const
     a.push_back(mean);
   }
   Fifty phi = ldexp(a.back() * p.u, static_cast<int>(a.size()) - 1);
-  for (std::size_t n = a.size() - 1; n > 0; --n)
+  for(std::size_t n = a.size() - 1; n > 0; --n)
     phi = (phi + asin(c[n] / a[n] * sin(phi))) / Fifty(2);
-  if (turns_)
+  if(turns_)
     return Fifty(2) * exact::pi() * p.n + Fifty(2) * phi;
   const Fifty sn = sin(phi);
   const Fifty cn = cos(phi);
@@ -296,4 +296,4 @@ Fifty Motion::angle_by_landen(const Fifty& t) const
   return p.odd ? -part : part;
 }
 
-} // namespace swing::oracle
+}  // namespace swing::oracle

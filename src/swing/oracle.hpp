@@ -49,9 +49,9 @@ public:
   /// Going round, as swing::Motion::revolving; excess > 0.
   static Motion revolving(const Fifty& excess);
 
-  Fifty angle(const Fifty& t) const;          ///< Φ
-  Fifty velocity(const Fifty& t) const;       ///< Φ'
-  Fifty angle_from_top(const Fifty& t) const; ///< the angle from the upper vertical, 0 … π
+  Fifty angle(const Fifty& t) const;           ///< Φ
+  Fifty velocity(const Fifty& t) const;        ///< Φ'
+  Fifty angle_from_top(const Fifty& t) const;  ///< the angle from the upper vertical, 0 … π
   /// Φ by Gauss' and Landen's transformation of the amplitude, the second route. Loses half as many digits as
   /// kc has zeros.
   Fifty angle_by_landen(const Fifty& t) const;
@@ -67,13 +67,13 @@ private:
 
   Fifty k_;
   Fifty kc_;
-  Fifty rate_; // du/dt
-  bool turns_; // going round
-  bool dual_;  // theta functions of the dual nome
+  Fifty rate_;  // du/dt
+  bool turns_;  // going round
+  bool dual_;   // theta functions of the dual nome
   Fifty K_;
   Fifty other_K_;
   Fifty q_;
   Fifty quarter_;
 };
 
-} // namespace swing::oracle
+}  // namespace swing::oracle

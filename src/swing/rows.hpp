@@ -32,29 +32,29 @@ SWING_INLINE double from_bits(std::uint64_t b)
 /// K by 1 − k, down to the last k below 1.
 struct K_by_modulus
 {
-  static constexpr const double* rows = tables::K_by_modulus; ///< the table
-  static constexpr double start = tables::K_by_modulus_start; ///< where it starts
-  static constexpr double last = 1;                           ///< where the domain ends
+  static constexpr const double* rows = tables::K_by_modulus;  ///< the table
+  static constexpr double start = tables::K_by_modulus_start;  ///< where it starts
+  static constexpr double last = 1;                            ///< where the domain ends
 };
 
 /// K by kc.
 struct K_by_complement
 {
-  static constexpr const double* rows = tables::K_by_complement; ///< the table
-  static constexpr double start = tables::K_by_complement_start; ///< where it starts
-  static constexpr double halving_hi = tables::ln2_hi;           ///< what a halving of x adds to the value,
-  static constexpr double halving_lo = tables::ln2_lo;           ///< in two parts
-  static constexpr double last = 1;                              ///< where the domain ends
+  static constexpr const double* rows = tables::K_by_complement;  ///< the table
+  static constexpr double start = tables::K_by_complement_start;  ///< where it starts
+  static constexpr double halving_hi = tables::ln2_hi;  ///< what a halving of x adds to the value,
+  static constexpr double halving_lo = tables::ln2_lo;  ///< in two parts
+  static constexpr double last = 1;                     ///< where the domain ends
 };
 
 /// T/Θ by η.
 struct Ratio_by_eta
 {
-  static constexpr const double* rows = tables::ratio_by_eta; ///< the table
-  static constexpr double start = tables::ratio_by_eta_start; ///< where it starts
-  static constexpr double halving_hi = tables::ratio_ln2_hi;  ///< what a halving of x adds to the value,
-  static constexpr double halving_lo = tables::ratio_ln2_lo;  ///< in two parts
-  static constexpr double last = pi_hi;                       ///< where the domain ends
+  static constexpr const double* rows = tables::ratio_by_eta;  ///< the table
+  static constexpr double start = tables::ratio_by_eta_start;  ///< where it starts
+  static constexpr double halving_hi = tables::ratio_ln2_hi;   ///< what a halving of x adds to the value,
+  static constexpr double halving_lo = tables::ratio_ln2_lo;   ///< in two parts
+  static constexpr double last = pi_hi;                        ///< where the domain ends
 };
 
 /// Where in the table the row for x begins.
@@ -79,9 +79,9 @@ SWING_INLINE Number beyond_centre(const Number* c, Number t)
 /// An argument that was doubled n times, and what it lacks.
 struct Doubled
 {
-  double x;    ///< the argument
-  double lost; ///< what it was rounded by
-  double n;    ///< a whole number
+  double x;     ///< the argument
+  double lost;  ///< what it was rounded by
+  double n;     ///< a whole number
 };
 
 /// x > 0 doubled until it is in the table.
@@ -89,7 +89,7 @@ template <class Table>
 SWING_INLINE Doubled doubled(double x, double lost)
 {
   constexpr double start = static_cast<double>(__builtin_bit_cast(std::uint64_t, Table::start) >> 52);
-  const bool tiny = x < 0x1p-1000; // made normal first
+  const bool tiny = x < 0x1p-1000;  // made normal first
   const double normal = tiny ? x * 0x1p60 : x;
   const double missing = start - (from_bits((bits_of(normal) >> 52) | 0x4330000000000000) - 0x1p52);
   const double n = missing > 0 ? missing : 0;
@@ -101,19 +101,19 @@ SWING_INLINE Doubled doubled(double x, double lost)
 template <class Number>
 struct Sum
 {
-  Number main; ///< the leading part
-  Number rest; ///< what is to be added
+  Number main;  ///< the leading part
+  Number rest;  ///< what is to be added
 };
 
 /// The value where the argument is halved n times.
 template <class Table, class Number>
 SWING_INLINE Sum<Number> halved(Sum<Number> value, Number n)
 {
-  const Number halvings = n * Table::halving_hi; // exact
+  const Number halvings = n * Table::halving_hi;  // exact
   const Number sum = value.main + halvings;
   const Number added = sum - value.main;
   const Number lost = (value.main - (sum - added)) + (halvings - added);
   return {sum, (lost + n * Table::halving_lo) + value.rest};
 }
 
-} // namespace swing::rows
+}  // namespace swing::rows

@@ -31,7 +31,7 @@ rows::Sum<double> looked_up(double x, double lost)
 template <class Table>
 rows::Sum<double> value(double x, double lost)
 {
-  if (x >= Table::start)
+  if(x >= Table::start)
     return looked_up<Table>(x, lost);
   const rows::Doubled d = rows::doubled<Table>(x, lost);
   return rows::halved<Table>(looked_up<Table>(d.x, d.lost), d.n);
@@ -47,7 +47,7 @@ double out_of_domain(double x)
 template <class Table>
 double rounded_value(double x, double lost)
 {
-  if (!(x > 0 && x <= Table::last))
+  if(!(x > 0 && x <= Table::last))
     return out_of_domain(x);
   const rows::Sum<double> sum = value<Table>(x, lost);
   return sum.main + sum.rest;
@@ -55,7 +55,7 @@ double rounded_value(double x, double lost)
 
 void same_length(std::span<const double> in, std::span<double> out)
 {
-  if (in.size() != out.size())
+  if(in.size() != out.size())
     throw std::invalid_argument("swing: the arrays differ in length");
 }
 
@@ -82,7 +82,7 @@ double carlson_rf(double x, double y, double z)
 {
   double mean = (x + y + z) / 3;
   double spread = std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z)});
-  while (spread > 2.5e-3 * mean)
+  while(spread > 2.5e-3 * mean)
   {
     const double sx = std::sqrt(x);
     const double sy = std::sqrt(y);
@@ -99,9 +99,10 @@ double carlson_rf(double x, double y, double z)
   const double dz = -dx - dy;
   const double e2 = dx * dy - dz * dz;
   const double e3 = dx * dy * dz;
-  return (1 + (e2 * (-1.0 / 10 + e2 / 24 - 3 * e3 / 44 - 5 * e2 * e2 / 208 + e2 * e3 / 16) +
-               e3 * (1.0 / 14 + 3 * e3 / 104))) /
-         std::sqrt(mean);
+  return (1
+          + (e2 * (-1.0 / 10 + e2 / 24 - 3 * e3 / 44 - 5 * e2 * e2 / 208 + e2 * e3 / 16)
+             + e3 * (1.0 / 14 + 3 * e3 / 104)))
+         / std::sqrt(mean);
 }
 
 // Sine of half the sum of two angles between 0 and π, given with their supplements.
@@ -110,11 +111,11 @@ double sine_of_half_sum(double a, double a_supplement, double b, double b_supple
   return std::sin(0.5 * (a + b < pi_hi ? a + b : a_supplement + b_supplement));
 }
 
-} // namespace
+}  // namespace
 
 Amplitude Amplitude::from_zeta(double zeta)
 {
-  if (!(zeta >= 0 && zeta <= pi_hi))
+  if(!(zeta >= 0 && zeta <= pi_hi))
     throw std::domain_error("swing: the amplitude ζ must lie between 0 and π");
   const double nearly = pi_hi - zeta;
   const double lost = zeta <= pi_hi / 2 ? (pi_hi - nearly) - zeta : 0;
@@ -124,7 +125,7 @@ Amplitude Amplitude::from_zeta(double zeta)
 
 Amplitude Amplitude::from_eta(double eta)
 {
-  if (!(eta >= 0 && eta <= pi_hi))
+  if(!(eta >= 0 && eta <= pi_hi))
     throw std::domain_error("swing: the angle η from the top must lie between 0 and π");
   const Amplitude swapped = from_zeta(eta);
   return {swapped.eta, swapped.zeta, swapped.eta_rest, 0};
@@ -132,14 +133,14 @@ Amplitude Amplitude::from_eta(double eta)
 
 Amplitude Amplitude::from_height(double h)
 {
-  if (!(h >= 0 && h <= 2))
+  if(!(h >= 0 && h <= 2))
     throw std::domain_error("swing: the height of the turning point must lie between 0 and 2b");
   return h <= 1 ? from_zeta(angle_of(h)) : from_eta(angle_of(2 - h));
 }
 
 Amplitude Amplitude::from_depth(double depth)
 {
-  if (!(depth >= 0 && depth <= 2))
+  if(!(depth >= 0 && depth <= 2))
     throw std::domain_error("swing: the depth of the turning point must lie between 0 and 2b");
   return depth <= 1 ? from_eta(angle_of(depth)) : from_zeta(angle_of(2 - depth));
 }
@@ -163,11 +164,11 @@ double Amplitude::complement() const
 
 double agm(double a, double b)
 {
-  if (!(a >= 0 && b >= 0))
+  if(!(a >= 0 && b >= 0))
     return nan;
-  if (a == 0 || b == 0)
+  if(a == 0 || b == 0)
     return 0;
-  while (std::abs(a - b) > 2e-8 * a)
+  while(std::abs(a - b) > 2e-8 * a)
   {
     const double mean = 0.5 * (a + b);
     b = std::sqrt(a) * std::sqrt(b);
@@ -180,7 +181,7 @@ double K(double k)
 {
   using Table = rows::K_by_modulus;
   const double y = 1 - std::abs(k);
-  if (!(y > 0))
+  if(!(y > 0))
     return out_of_domain(y);
   const double* const c = Table::rows + rows::row_of<Table>(y);
   return c[1] + rows::beyond_centre(c, y - c[0]);
@@ -193,7 +194,7 @@ double K_from_complement(double kc)
 
 double quarter_time_from_top(double eta)
 {
-  if (!(eta > 0 && eta <= pi_hi))
+  if(!(eta > 0 && eta <= pi_hi))
     return out_of_domain(eta);
   const rows::Sum<double> ratio = value<rows::Ratio_by_eta>(eta, 0);
   const Twofold K = product_of(ratio.main, pi_hi / 2);
@@ -212,7 +213,7 @@ double ratio_from_top(double eta)
 
 double ratio_from_bottom(double zeta)
 {
-  if (!(zeta >= 0 && zeta <= pi_hi))
+  if(!(zeta >= 0 && zeta <= pi_hi))
     return nan;
   const double nearly = pi_hi - zeta;
   const double eta = nearly + pi_lo;
@@ -228,11 +229,11 @@ double ratio(Amplitude a)
 // units of the last place.
 double ratio_excess(Amplitude a)
 {
-  if (a.zeta > pi_hi / 2)
+  if(a.zeta > pi_hi / 2)
     return ratio(a) - 1;
   const double x = a.zeta * a.zeta;
   double sum = 0;
-  for (std::size_t j = std::size(tables::excess); j-- > 0;)
+  for(std::size_t j = std::size(tables::excess); j-- > 0;)
     sum = tables::excess[j] + x * sum;
   return x * sum;
 }
@@ -265,16 +266,17 @@ void ratio_from_top(std::span<const double> eta, std::span<double> out)
 double time_from_bottom(double phi, Amplitude a)
 {
   const double up = std::abs(phi);
-  if (!(up <= a.zeta))
+  if(!(up <= a.zeta))
     return nan;
   const double from_top = supplement(up);
   const double z = std::sin(up / 2);
-  if (z == 0)
+  if(z == 0)
     return phi;
   const double k = a.modulus();
   const double across = std::sin(from_top / 2);
   const double left = std::sin((a.zeta - up) / 2) / k * (sine_of_half_sum(a.zeta, a.eta, up, from_top) / k);
-  return std::copysign(z / k * carlson_rf(left, across * across, 1), phi);  // divided by k: k² may underflow
+  return std::copysign(z / k * carlson_rf(left, across * across, 1),
+                       phi);  // divided by k: k² may underflow
 }
 
 double time_from_rest(double psi, double eta)
@@ -287,16 +289,16 @@ double time_from_rest(double psi, double eta)
 double time_from_rest_past(double past, double eta)
 {
   const double psi = eta + past;
-  if (!(eta >= 0 && past >= 0 && psi <= pi_hi))
+  if(!(eta >= 0 && past >= 0 && psi <= pi_hi))
     return nan;
-  if (past == 0)
+  if(past == 0)
     return 0;
-  if (eta == 0)
+  if(eta == 0)
     return std::numeric_limits<double>::infinity();
   const double omega = psi / 2;
   const double below = std::sin(past / 2);
   const double above = sine_of_half_sum(psi, supplement(psi), eta, supplement(eta));
-  if (eta < 1e-8)
+  if(eta < 1e-8)
   {
     const double sine = std::sin(omega);
     const double tangents = 4 * std::tan(omega / 2) / eta;
@@ -313,4 +315,4 @@ double time_from_rest_past(double past, double eta)
   return std::sqrt(below * above) * carlson_rf(sa * sa * co * co, sa * sa * ca * ca, ca * ca * so * so);
 }
 
-} // namespace swing
+}  // namespace swing

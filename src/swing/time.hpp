@@ -34,10 +34,10 @@ inline constexpr double pi_lo = 0x1.1a62633145c07p-53;
 /// How far the pendulum swings: the amplitude and its supplement, each as exact as a double can be.
 struct Amplitude
 {
-  double zeta;          ///< greatest angle from the lowest point, 0 … π, radians
-  double eta;           ///< π − ζ, formed from a π of 107 bits
-  double zeta_rest = 0; ///< what zeta lacks of ζ, where η was given
-  double eta_rest = 0;  ///< what eta lacks of η, where ζ was given
+  double zeta;           ///< greatest angle from the lowest point, 0 … π, radians
+  double eta;            ///< π − ζ, formed from a π of 107 bits
+  double zeta_rest = 0;  ///< what zeta lacks of ζ, where η was given
+  double eta_rest = 0;   ///< what eta lacks of η, where ζ was given
 
   /// From ζ. Throws std::domain_error unless 0 ≤ ζ ≤ π (the double nearest to π lies below π: its η is
   /// 1.22·10⁻¹⁶).
@@ -129,4 +129,4 @@ void ratio_from_top(std::span<const double> eta, std::span<double> out);
 /// negative one. K by this mean errs by up to 5 ulp.
 double agm(double a, double b);
 
-} // namespace swing
+}  // namespace swing

@@ -13,8 +13,8 @@ namespace swing
 /// hi + lo, where lo is at most half a unit in the last place of hi.
 struct Twofold
 {
-  double hi = 0; ///< the double nearest to the number
-  double lo = 0; ///< what it lacks
+  double hi = 0;  ///< the double nearest to the number
+  double lo = 0;  ///< what it lacks
 };
 
 /// a + b as it is, for |a| ≥ |b| or a = 0.
@@ -86,9 +86,9 @@ inline Twofold operator/(Twofold a, Twofold b)
 /// The root of a ≥ 0.
 inline Twofold sqrt(Twofold a)
 {
-  if (a.hi <= 0)
+  if(a.hi <= 0)
     return {};
-  if (a.hi < 0x1p-900) // else what the square of the root is rounded by would be lost
+  if(a.hi < 0x1p-900)  // else what the square of the root is rounded by would be lost
   {
     const Twofold root = sqrt(Twofold{a.hi * 0x1p200, a.lo * 0x1p200});
     return {root.hi * 0x1p-100, root.lo * 0x1p-100};
@@ -104,7 +104,7 @@ inline Twofold sin(Twofold x)
   const Twofold square = x * x;
   Twofold term = x;
   Twofold sum = x;
-  for (int n = 2; std::abs(term.hi) > 0x1p-108 * std::abs(sum.hi); n += 2)
+  for(int n = 2; std::abs(term.hi) > 0x1p-108 * std::abs(sum.hi); n += 2)
   {
     term = -(term * square) / Twofold{static_cast<double>(n) * (n + 1), 0};
     sum = sum + term;
@@ -116,7 +116,7 @@ inline Twofold sin(Twofold x)
 inline Twofold agm_of_one_and(Twofold b)
 {
   Twofold a{1, 0};
-  while (std::abs(a.hi - b.hi) > 1e-17 * a.hi)
+  while(std::abs(a.hi - b.hi) > 1e-17 * a.hi)
   {
     const Twofold sum = a + b;
     b = sqrt(a) * sqrt(b);
@@ -126,4 +126,4 @@ inline Twofold agm_of_one_and(Twofold b)
   return {0.5 * sum.hi, 0.5 * sum.lo};
 }
 
-} // namespace swing
+}  // namespace swing

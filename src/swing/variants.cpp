@@ -17,14 +17,14 @@ const Table* const variants[] = {&sse2, &avx2, &avx512};
 std::size_t supported()
 {
   __builtin_cpu_init();
-  if (!__builtin_cpu_supports("avx2"))
+  if(!__builtin_cpu_supports("avx2"))
     return 1;
-  const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                    __builtin_cpu_supports("avx512vl");
+  const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")
+                    && __builtin_cpu_supports("avx512vl");
   return wide ? 3 : 2;
 }
 
-} // namespace
+}  // namespace
 
 #else
 
@@ -40,7 +40,7 @@ std::size_t supported()
   return 1;
 }
 
-} // namespace
+}  // namespace
 
 #endif
 
@@ -60,4 +60,4 @@ const Table& best()
   return variant(count() - 1);
 }
 
-} // namespace swing::kernels
+}  // namespace swing::kernels

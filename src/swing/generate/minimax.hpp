@@ -15,15 +15,15 @@ using exact::Fifty;
 /// What is to be approximated at one point: the target and each function of the basis, all weighted alike.
 struct Sample
 {
-  std::vector<Fifty> basis; ///< the functions of the basis there
-  Fifty target;             ///< what they are to make together
+  std::vector<Fifty> basis;  ///< the functions of the basis there
+  Fifty target;              ///< what they are to make together
 };
 
 /// A linear combination of the basis and the largest weighted error that it makes on the samples.
 struct Fit
 {
-  std::vector<Fifty> coefficients; ///< of the functions, in their order
-  Fifty error;                     ///< the largest on the samples
+  std::vector<Fifty> coefficients;  ///< of the functions, in their order
+  Fifty error;                      ///< the largest on the samples
 };
 
 /// Remez' exchange on the given samples, which must be ordered by their abscissa and lie densely: the
