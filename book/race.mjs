@@ -18,9 +18,9 @@ const lines = (heads, rows) => [heads, ...rows].map((r) => `${r.join('\t')}\n`).
 /** Runs a script of figures/ on blocks of data; `set` is what else gnuplot is told before it. */
 function draw(script, name, blocks, set) {
   const data = path.join(build, `told/${name}.tsv`);
-  fs.writeFileSync(data, blocks.join('\n\n'));
   const out = path.join(build, `drawn/${name}.svg`);
-  fs.mkdirSync(path.dirname(out), { recursive: true });
+  for (const file of [data, out]) fs.mkdirSync(path.dirname(file), { recursive: true });
+  fs.writeFileSync(data, blocks.join('\n\n'));
   const settings = `data='${path.dirname(data)}'; source='${name}'; out='${out}'; ${set}`;
   const run = spawnSync(gnuplot, ['-e', settings, script], {
     cwd: source,
