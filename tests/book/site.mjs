@@ -154,9 +154,15 @@ for (const [from, to] of links) {
   else if (anchor && !ids.get(file)?.has(anchor)) faults.push(`${from}: ${to} has no such anchor`);
 }
 
+/** Opens a page and waits until it shows itself, which it does when its letters are there. */
+async function open(name) {
+  await page.goto(address(name));
+  await page.waitForFunction(() => !document.documentElement.hasAttribute('style'));
+}
+
 // The search, from a page's own field, with old spelling and new.
 const ask = async (words) => {
-  await page.goto(address('index.html'));
+  await open('index.html');
   await page.fill('.find input', words);
   await page.press('.find input', 'Enter');
   await page.waitForFunction(() => document.getElementById('found')?.textContent);
@@ -170,12 +176,12 @@ if (!today.length || String(today) !== String(old))
 if ((await ask('zzyzx')).length) faults.push('the search finds what is not there');
 
 // By keyboard: the first stop leads to the text. Printed: no controls, and nothing cut.
-await page.goto(address('index.html'));
+await open('index.html');
 await page.keyboard.press('Tab');
 if ((await page.evaluate(() => document.activeElement.getAttribute('href'))) !== '#main')
   faults.push('the first stop of the keyboard is not the way to the text');
 for (const name of pages.filter((f) => /^[a-z]+-\d\d\.html$/.test(f))) {
-  await page.goto(address(name));
+  await open(name);
   await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
   await page.emulateMedia({ media: 'print' });
   await page.setViewportSize({ width: 640, height: 900 }); // what A4 leaves between its margins
