@@ -50,7 +50,7 @@ export function reading(entry, check, home = '') {
 }
 
 /** The table's opening, with what a keyboard needs to scroll it. */
-export const table = (label, heads) =>
-  `<div class="table broad" tabindex="0" role="group" aria-label="${label}"><table><thead><tr>` +
+export const table = (label, heads, more = '') =>
+  `<div class="table broad${more}" tabindex="0" role="group" aria-label="${label}"><table><thead><tr>` +
   `${heads.map((h) => `<th scope="col">${h}</th>`).join('')}</tr></thead>\n<tbody>\n`;
 export const tableEnd = '</tbody></table></div>\n';

@@ -4,7 +4,7 @@
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
-import { groups, idOf, plainly } from './scenes.mjs';
+import { groups, idOf, plainly, recordedOf } from './scenes.mjs';
 
 const [source, build, program, gnuplot] = process.argv.slice(2);
 const json = (...file) => JSON.parse(fs.readFileSync(path.join(...file), 'utf8'));
@@ -12,6 +12,9 @@ const recorded = json(source, `book/speeds/${program}.json`);
 
 /** A method's colour, as a linetype of figures/style.gp. */
 const colour = { ours: 1, Euler: 2, classic: 3, peer: 7 };
+
+/** A method's worst error; none at all is drawn where the plots of scenes end. */
+const worstOf = (m) => Math.max(m.ulps_max, 0.05);
 
 const lines = (heads, rows) => [heads, ...rows].map((r) => `${r.join('\t')}\n`).join('');
 
@@ -81,7 +84,7 @@ function race(name, points, quantity) {
   );
 }
 
-/** The methods that belong together as variants of one, "array, avx2": what they are called in common. */
+/** The methods that belong together as variants of one, "this edition, avx2": what they are called in common. */
 const family = (name) => /^(.*), (?:[\d]|sse|avx|portable)/.exec(name)?.[1];
 
 /** The worst errors of a group of scenes, scene by scene; variants with the same errors are drawn as one. */
@@ -91,7 +94,7 @@ function errors(name, group) {
     scene.methods.forEach((m) => {
       const label = family(m.name) ?? m.name.replace(/, one by one$/, '');
       const way = ways.get(label) ?? { label, kind: m.kind, at: [] };
-      way.at[row] = { row, error: m.failures < m.judged ? Math.max(m.ulps_max, 0.05) : NaN };
+      way.at[row] = { row, error: m.failures < m.judged ? worstOf(m) : NaN };
       ways.set(label, way);
     }),
   );
@@ -138,7 +141,7 @@ if (recorded.scenes) {
           ...m,
           name: plainly(m.name),
           family: family(m.name),
-          error: Math.max(m.ulps_max, 0.05),
+          error: worstOf(m),
         })),
       `worst error (${scene.error_unit})`,
     );
@@ -146,7 +149,7 @@ if (recorded.scenes) {
     errors(`${program}.errors-${group.id}`, group);
 } else {
   for (const one of json(build, `told/${program}.json`).races) {
-    const times = recorded.races.find((r) => r.name === one.name)?.methods ?? [];
+    const times = recordedOf(recorded, one);
     const points = one.methods.flatMap((m) => {
       const time = times.find((t) => t.name === m.name);
       const kind = /^this edition/.test(m.name) ? 'ours' : /^Euler/.test(m.name) ? 'Euler' : 'peer';

@@ -1,4 +1,5 @@
-// The scenes of book/speeds/swing.json: their names for files and values, and which belong together.
+// What book/speeds records: the methods of a section's race; the scenes of the library, their names for files and
+// values, and which belong together.
 
 /** A name for files and values: "Φ(t), ζ = 10⁻⁴" is phi-t-zeta-10-4. */
 export const idOf = (name) =>
@@ -10,6 +11,9 @@ export const idOf = (name) =>
     .toLowerCase()
     .replace(/[^a-z0-9]+/g, '-')
     .replace(/^-|-$/g, '');
+
+/** The recorded methods of a race; none where no run is recorded. */
+export const recordedOf = (run, race) => run?.races.find((r) => r.name === race.name)?.methods ?? [];
 
 /** A method's name without what it is given: "GSL ellint_Kcomp of sin ½ζ" is GSL ellint_Kcomp. */
 export const plainly = (name) => name.replace(/ of [√s].*$/, '');

@@ -4,7 +4,7 @@ import path from 'node:path';
 import { table, tableEnd } from './cards.mjs';
 import { asText, asTime, format } from './numbers.mjs';
 import { escape } from './prose.mjs';
-import { groups, idOf, plainly } from './scenes.mjs';
+import { groups, idOf, plainly, recordedOf } from './scenes.mjs';
 
 const short = (x, form) => asText(format({ value: x }, x !== 0 && (x < 1e-3 || x >= 1e5) ? 'e2' : form));
 const ulps = (m) => (m.failures === m.judged ? 'fails' : short(m.ulps_max, '2'));
@@ -27,7 +27,7 @@ const left = 'Left and low is better; the dashed steps join the ways that no oth
 export function races(section, book) {
   return section.told.races
     .map((race) => {
-      const recorded = section.speeds?.races.find((r) => r.name === race.name)?.methods ?? [];
+      const recorded = recordedOf(section.speeds, race);
       const rows = race.methods.map((m) => {
         const time = recorded.find((r) => r.name === m.name);
         const cells = [
@@ -68,7 +68,7 @@ export function races(section, book) {
 export function ofSections(book) {
   const rows = [...book.sections.values()].flatMap((s) =>
     s.told.races.map((race) => {
-      const times = s.speeds?.races.find((r) => r.name === race.name)?.methods ?? [];
+      const times = recordedOf(s.speeds, race);
       const ways = race.methods
         .map((m) => ({ ...m, seconds: times.find((t) => t.name === m.name)?.seconds ?? Infinity }))
         .sort((a, b) => a.seconds - b.seconds || a.ulps - b.ulps);
@@ -91,13 +91,7 @@ export function ofSections(book) {
     : '<p>None yet.</p>';
 }
 
-/** The library's recorded run: its scenes by the name that prose gives them. */
-function scenesOf(book) {
-  const file = path.join(book.source, 'book/speeds/swing.json');
-  if (!fs.existsSync(file)) throw new Error('book/speeds/swing.json is missing; ./euler bench records it');
-  return JSON.parse(fs.readFileSync(file, 'utf8'));
-}
-
+/** A scene, a group or a method of the library's run, by its name or by the one that prose gives it. */
 function find(list, name, what) {
   const found = list.find((x) => x.name === name || idOf(plainly(x.name)) === name);
   if (!found) throw new Error(`no ${what} ${name} (${list.map((x) => idOf(plainly(x.name))).join(', ')})`);
@@ -106,7 +100,7 @@ function find(list, name, what) {
 
 /** `{{collected scene NAME}}`: one scene, plot and numbers. */
 export function scene(book, name) {
-  const it = find(scenesOf(book).scenes, name, 'scene');
+  const it = find(book.swing.scenes, name, 'scene');
   const alt = `${it.quantity}: worst error against time per evaluation, both logarithmic, for ${it.methods.length} ways.`;
   const heads = ['way', 'time', 'ratio', `worst <span class="unit">${it.error_unit}</span>`, 'mean', 'fails'];
   const rows = it.methods.map(
@@ -124,7 +118,7 @@ export function scene(book, name) {
 
 /** `{{collected errors GROUP}}`: the worst errors of a group of scenes, side by side. */
 export function errors(book, name) {
-  const group = find(groups(scenesOf(book).scenes), name, 'group of scenes');
+  const group = find(groups(book.swing.scenes), name, 'group of scenes');
   const alt = `${group.name}: the worst error of each way in ${group.scenes.length} scenes, logarithmic.`;
   return plot(
     book,
@@ -137,7 +131,7 @@ export function errors(book, name) {
 
 /** `{{collected scenes GROUP}}`: the numbers of a group of scenes, worst error above time. */
 export function scenes(book, name) {
-  const group = find(groups(scenesOf(book).scenes), name, 'group of scenes');
+  const group = find(groups(book.swing.scenes), name, 'group of scenes');
   const rows = group.scenes[0].methods.map((first) => {
     const cells = group.scenes.map((s) => {
       const m = find(s.methods, first.name, 'method');
@@ -149,11 +143,11 @@ export function scenes(book, name) {
     'worst error, time',
     ...group.scenes.map((s) => `<span class="scene">${escape(s.short)}</span>`),
   ];
-  return `${table(escape(group.name), heads).replace('table broad', 'table broad tight')}${rows.join('')}${tableEnd}`;
+  return `${table(escape(group.name), heads, ' tight')}${rows.join('')}${tableEnd}`;
 }
 
 /** `{{collected provenance}}`: on what the library's run was recorded. */
-export const provenance = (book) => `<p class="provenance">${recordedOn(scenesOf(book))}</p>\n`;
+export const provenance = (book) => `<p class="provenance">${recordedOn(book.swing)}</p>\n`;
 
 /**
  * A recorded number by its name in prose, speed.SCENE.METHOD.WHAT: `faster`, how many times as fast as the scene's
@@ -162,14 +156,14 @@ export const provenance = (book) => `<p class="provenance">${recordedOn(scenesOf
  */
 export function value(book, name) {
   const [, where, method, what] = name.split('.');
-  const all = scenesOf(book).scenes;
+  const all = book.swing.scenes;
   const group = groups(all).find((g) => g.id === where)?.scenes ?? [find(all, where, 'scene')];
-  const found = group.map((scene) => ({ scene, m: find(scene.methods, method ?? '', 'method') }));
+  const found = group.map((scene) => find(scene.methods, method ?? '', 'method'));
   const meanings = {
-    faster: [({ m }) => 1 / m.ratio, `how many times as fast as ${group[0].peer}`, Math.min],
-    worst: [({ m }) => m.ulps_max, `worst error, ${group[0].error_unit}`, Math.max],
-    ns: [({ m }) => m.seconds * 1e9, 'nanoseconds for one evaluation', Math.max],
-    fails: [({ m }) => m.failures / m.judged, 'share of the arguments at which it gives no number', Math.max],
+    faster: [(m) => 1 / m.ratio, `how many times as fast as ${group[0].peer}`, Math.min],
+    worst: [(m) => m.ulps_max, `worst error, ${group[0].error_unit}`, Math.max],
+    ns: [(m) => m.seconds * 1e9, 'nanoseconds for one evaluation', Math.max],
+    fails: [(m) => m.failures / m.judged, 'share of the arguments at which it gives no number', Math.max],
   };
   if (!meanings[what]) throw new Error(`{{${name}}} ends in none of ${Object.keys(meanings).join(', ')}`);
   const [number, meaning, least] = meanings[what];

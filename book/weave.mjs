@@ -109,6 +109,7 @@ const book = {
   ...edition,
   formulas: new Formulas(path.join(build, 'formulas.json')),
   sections: new Map(programs.map(section).map((s) => [s.id, s])),
+  swing: json(path.join(source, 'book/speeds/swing.json')),
   colours: palette(read(path.join(source, 'figures/style.gp'))),
   snippet,
   drawn: new Set(),
