@@ -214,8 +214,8 @@ Fifty ldexp(const Fifty& x, int n)
 }
 Fifty hypot(const Fifty& x, const Fifty& y)
 {
-  return sqrt(x * x + y * y);
-}  // the exponent does not overflow
+  return sqrt(x * x + y * y);  // the exponent does not overflow
+}
 bool isfinite(const Fifty& x)
 {
   return boost::multiprecision::isfinite(real(x));

@@ -20,7 +20,6 @@ struct Ball
   Real k;  ///< the moment of inertia about the axis through G is weight · kk, k > 0
 };
 
-// [our_ball]
 /// The ball of the programs, in feet: a homogeneous one of weight 4/5 and radius 1 with a pellet of weight 1/5
 /// halfway down to its surface. Euler gives no numbers.
 template <class Real>
@@ -28,9 +27,7 @@ inline const Ball<Real> our_ball{1, Real(1) / 10, Real(3) / 5};
 /// The height fallen in the first second, in feet: 15⅝.
 template <class Real>
 inline const Real our_g = Real(125) / 8;
-// [our_ball]
 
-// [accelerations]
 /// The accelerations of G and of the angle, and what the plane bears.
 template <class Real>
 struct Accelerations
@@ -58,6 +55,5 @@ Accelerations<Real> accelerations(const Ball<Real>& ball, const Real& g, const R
   const Real pressure = k * k * (1 + c * w * w * cos(Phi) / (2 * g)) / (k * k - c * sin(Phi) * arm);
   return {-2 * g * lambda * pressure, 2 * g * (pressure - 1), 2 * g * pressure * arm / (k * k), pressure};
 }
-// [accelerations]
 
 }  // namespace globe

@@ -19,7 +19,6 @@
 namespace pendulum
 {
 
-// [log_cot_half]
 /// l cot ½α, which is also artanh cos α. Domain: 0 < α ≤ 90°, radians. Real: double (to 3 ulp) or
 /// exact::Fifty.
 template <class Real>
@@ -28,7 +27,6 @@ Real log_cot_half(Real alpha)
   using std::atanh, std::cos, std::log, std::tan;
   return alpha < 1 ? -log(tan(alpha / 2)) : atanh(cos(alpha));
 }
-// [log_cot_half]
 
 // [scaled_integral]
 /// J_m, the integral of dω/sin²ᵐ⁺¹ω from α to 90° times sin²ᵐα, by Euler's reduction with the powers taken

@@ -31,7 +31,6 @@ Place leapfrog(Place at, double t, int n, Acceleration acceleration)
 }
 // [leapfrog]
 
-// [runge_kutta]
 /// The same by the classical rule of Runge and Kutta, four accelerations a step. Fourth order: the
 /// error falls like 1/n⁴, but the energy drifts with the time.
 template <class Acceleration>
@@ -49,6 +48,5 @@ Place runge_kutta(Place at, double t, int n, Acceleration acceleration)
   }
   return at;
 }
-// [runge_kutta]
 
 }  // namespace pendulum
