@@ -8,6 +8,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
+#include "balance/systems.hpp"
 #include "exact/ode.hpp"
 
 namespace balance
@@ -44,6 +45,29 @@ bool all_finite(const State<>& s)
   return std::all_of(y.begin(), y.end(), [](double x) { return std::isfinite(x); });
 }
 
+/// The same balance, unless it or the start is impossible.
+const Balance<>& checked(const Balance<>& b, const State<>& start)
+{
+  const bool possible = b.mu2 > 0 && b.beta > 0 && b.rho >= 0 && b.rho < 0.5 && std::isfinite(b.lambda2)
+                        && std::isfinite(b.mu2) && std::isfinite(b.beta) && all_finite(start);
+  if(!possible)
+    throw std::domain_error("no such motion: allowed are μ² > 0, β > 0, 0 ≤ ρ < ½ and finite numbers");
+  return b;
+}
+
+collocation::Moment<3> moment(const State<>& s)
+{
+  return {{s.at.omega, s.at.eta, s.at.theta}, {s.rate.omega, s.rate.eta, s.rate.theta}};
+}
+
+/// The greatest of the frequencies and the rates, 1/s.
+double fastest(const Balance<>& b, const State<>& start)
+{
+  const double still = std::sqrt(std::max(b.mu2, std::abs(b.lambda2)));
+  return std::max(
+      {still, std::abs(start.rate.omega), std::abs(start.rate.eta), std::abs(start.rate.theta)});
+}
+
 /// State and its rate of change, which have the same six numbers.
 State<> step(const State<>& from, const State<>& slope, double h)
 {
@@ -59,25 +83,15 @@ State<> step(const State<>& from, const State<>& slope, double h)
 struct Motion::Inner
 {
   Balance<> b;
-  double tolerance;
   double start_energy;
-  double t = 0;
   State<> now;
-  gsl_odeiv2_system system{right_side, nullptr, 6, nullptr};
-  std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver{nullptr, gsl_odeiv2_driver_free};
+  collocation::Motion<systems::Fixed> motion;
 
-  Inner(const Balance<>& balance, const State<>& start, double its_tolerance)
-      : b(balance), tolerance(its_tolerance), start_energy(energy(balance, start)), now(start)
+  Inner(const Balance<>& balance, const State<>& start, double tolerance)
+      : b(checked(balance, start)), start_energy(energy(balance, start)), now(start),
+        motion({b.lambda2, b.mu2, b.beta, b.rho}, moment(start), {tolerance, 0.125 / fastest(b, start)},
+               systems::best().fixed)
   {
-    const bool possible = b.mu2 > 0 && b.beta > 0 && b.rho >= 0 && b.rho < 0.5 && std::isfinite(b.lambda2)
-                          && std::isfinite(b.mu2) && std::isfinite(b.beta) && all_finite(start);
-    if(!possible || !(tolerance >= 1e-15 && tolerance <= 0.1))
-      throw std::domain_error("no such motion: allowed are μ² > 0, β > 0, 0 ≤ ρ < ½ and finite numbers");
-    system.params = &b;
-    const double step = 0.01 / std::sqrt(b.mu2);
-    driver.reset(gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, step, tolerance, tolerance));
-    if(!driver)
-      throw std::bad_alloc();
   }
 };
 
@@ -91,20 +105,39 @@ Motion& Motion::operator=(Motion&&) noexcept = default;
 
 const State<>& Motion::to(double t)
 {
-  if(!std::isfinite(t) || t < inner_->t)
-    throw std::invalid_argument("a motion can only be carried on to a later time");
-  auto y = row(inner_->now);
-  const int status = gsl_odeiv2_driver_apply(inner_->driver.get(), &inner_->t, t, y.data());
-  if(status != GSL_SUCCESS)
-    throw std::runtime_error(std::string("the motion cannot be carried on: ") + gsl_strerror(status));
-  inner_->now = state(y);
-  return inner_->now;
+  const auto at = inner_->motion.to(t);
+  return inner_->now = {{at.x[0], at.x[1], at.x[2]}, {at.v[0], at.v[1], at.v[2]}};
 }
 
 double Motion::energy_drift() const
 {
   const double change = std::abs(energy(inner_->b, inner_->now) - inner_->start_energy);
   return inner_->start_energy == 0 ? change : change / std::abs(inner_->start_energy);
+}
+
+const collocation::Effort& Motion::effort() const
+{
+  return inner_->motion.effort();
+}
+
+State<> by_gsl(const Balance<>& b, const State<>& start, double t, double tolerance)
+{
+  Balance<> of = checked(b, start);
+  if(!(tolerance >= 1e-15 && tolerance <= 0.1 && std::isfinite(t) && t >= 0))
+    throw std::domain_error("allowed are tolerances from 1e-15 to 0.1 and times from 0");
+  gsl_odeiv2_system system{right_side, nullptr, 6, &of};
+  const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver{
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 0.01 / std::sqrt(b.mu2), tolerance,
+                                    tolerance),
+      gsl_odeiv2_driver_free};
+  if(!driver)
+    throw std::bad_alloc();
+  auto y = row(start);
+  double from = 0;
+  const int status = gsl_odeiv2_driver_apply(driver.get(), &from, t, y.data());
+  if(status != GSL_SUCCESS)
+    throw std::runtime_error(std::string("the motion cannot be carried on: ") + gsl_strerror(status));
+  return state(y);
 }
 
 std::vector<State<>> course(const Balance<>& b, const State<>& start, double until, int parts)

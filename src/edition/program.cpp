@@ -41,27 +41,6 @@ std::string allowed_for(const Section& s, const std::string& option)
   return "a folder";
 }
 
-/// What CLI11 would take in silence: a value for an option that has none, and an empty value, for which it takes
-/// the next argument.
-void refuse_odd_equations(const Section& s, const std::vector<std::string>& arguments)
-{
-  for(const std::string& argument : arguments)
-  {
-    const auto equals = argument.find('=');
-    if(!argument.starts_with("--") || equals == std::string::npos)
-      continue;
-    const std::string option = argument.substr(0, equals);
-    const std::string value = argument.substr(equals + 1);
-    for(const char* flag : {"--json", "--check", "--bench", "--help", "--version"})
-      if(option == flag)
-        throw BadInput(fmt::format("{}: \"{}\" is a value for what has none; allowed: {} alone", option,
-                                   on_one_line(value), option));
-    if(value.empty())
-      throw BadInput(
-          fmt::format("{}: \"\" is no value; allowed: {}", on_one_line(option), allowed_for(s, option)));
-  }
-}
-
 Request parse(Section& s, std::vector<std::string> arguments)
 {
   Request r;
@@ -70,7 +49,6 @@ Request parse(Section& s, std::vector<std::string> arguments)
     r.for_doctest.assign(dashes + 1, arguments.end());
     arguments.erase(dashes, arguments.end());
   }
-  refuse_odd_equations(s, arguments);
   CLI::App app{fmt::format("{} §{}. {}", s.chapter, s.number, s.title), s.program()};
   app.set_help_flag("--help", "say this and end");
   app.set_version_flag("--version",
@@ -86,9 +64,7 @@ Request parse(Section& s, std::vector<std::string> arguments)
   app.add_flag("--check", r.check,
                "run the checks; what follows -- goes to doctest; exit status 1 when one fails");
   app.add_flag("--bench", r.bench, "time the several ways to one number against each other");
-  auto* const data = app.add_option("--data", r.data, "write the figures' data into this folder")
-                         ->type_name("DIR")
-                         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  app.add_option("--data", r.data, "write the figures' data into this folder")->type_name("DIR");
   app.allow_extras();
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector from its end
   try
@@ -106,24 +82,17 @@ Request parse(Section& s, std::vector<std::string> arguments)
   catch(const CLI::ArgumentMismatch& e)  // "--zeta: ...": its value is missing
   {
     const std::string option = std::string(e.what()).substr(0, std::string(e.what()).find(':'));
-    throw BadInput(
-        fmt::format("{}: \"\" is no value; allowed: {}", on_one_line(option), allowed_for(s, option)));
+    throw BadInput(fmt::format("{}: \"\" is no value; allowed: {}", option, allowed_for(s, option)));
   }
   catch(const CLI::ParseError& e)
   {
-    throw BadInput(fmt::format("{}; allowed: what --help lists", on_one_line(e.what())));
+    throw BadInput(fmt::format("{}; allowed: what --help lists", e.what()));
   }
   if(const auto unknown = app.remaining(); !unknown.empty())
     throw BadInput(fmt::format("{}: \"{}\" is not known here; allowed: what --help lists",
-                               unknown.front().starts_with('-') ? "option" : "argument",
-                               on_one_line(unknown.front())));
+                               unknown.front().starts_with('-') ? "option" : "argument", unknown.front()));
   if(!r.for_doctest.empty() && !r.check)
-    throw BadInput(fmt::format("-- \"{}\": arguments for doctest without --check; allowed: after --check",
-                               on_one_line(r.for_doctest.front())));
-  if(data->count() > 1)
-    throw BadInput(fmt::format("--data: given {} times; allowed: once", data->count()));
-  if(data->count() > 0 && r.data.empty())
-    throw BadInput("--data: \"\" is no value; allowed: a folder");
+    throw BadInput(fmt::format("-- \"{}\": arguments for doctest without --check", r.for_doctest.front()));
   if(r.check + r.bench + !r.data.empty() > 1)
     throw BadInput("--check, --bench, --data: more than one given; allowed: one of them");
   return r;
@@ -131,16 +100,16 @@ Request parse(Section& s, std::vector<std::string> arguments)
 
 void take_parameters(Section& s, const Request& r)
 {
-  std::vector<std::pair<std::string, std::string>> once;
-  for(const auto& [name, given] : r.given)
+  for(ParameterEntry& p : s.parameters)
   {
+    const std::vector<std::string>& given = r.given.at(p.name);
     if(given.size() > 1)
-      throw BadInput(fmt::format("--{}: given {} times (\"{}\"); allowed: once", name, given.size(),
-                                 on_one_line(fmt::format("{}", fmt::join(given, "\", \"")))));
+      throw BadInput(fmt::format("--{}: given {} times (\"{}\"); allowed: once", p.name, given.size(),
+                                 fmt::join(given, "\", \"")));
     if(!given.empty())
-      once.emplace_back(name, given.front());
+      set_parameter(p, given.front());
   }
-  set_parameters(s, once);
+  reconcile_amplitude(s);
 }
 
 /// All of `text`, or an exception: standard output may be a full disk.
@@ -165,21 +134,14 @@ int answer(Section& s, const std::vector<std::string>& arguments)
     say(result.report);
     return result.passed ? 0 : 1;
   }
-  const bool data = !r.data.empty();
-  tell_anew(s, {data, r.bench});
-  const std::string written = data ? write_data(s, r.data) : "";
-  say(r.json ? as_json(s) : data ? written : r.bench ? races_as_text(s) : as_text(s));
+  s.wanted = {!r.data.empty(), r.bench};
+  for(const auto tell_block : s.telling)
+    tell_block();
+  if(s.wanted.data)
+    say(write_data(s, r.data));
+  else
+    say(r.json ? as_json(s) : r.bench ? races_as_text(s) : as_text(s));
   return 0;
-}
-
-/// One line on standard error. Where that is closed or full the exit status alone must say it.
-int complain(const std::string& program, const std::string& what, int status)
-{
-  std::string line = program + ": " + what;
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  line += '\n';
-  std::fwrite(line.data(), 1, line.size(), stderr);
-  return status;
 }
 
 }  // namespace
@@ -188,18 +150,21 @@ int main(int argc, char** argv)
 {
   gsl_set_error_handler_off();  // GSL's own handler ends the program; its functions' status and NaN say enough
   Section& s = section();
-  if(!s.faults.empty())
-    return complain(s.program(), s.faults.front(), 1);
+  const auto complain = [&s](const std::exception& e) {
+    fmt::print(stderr, "{}: {}\n", s.program(), e.what());
+  };
   try
   {
     return answer(s, {argv + 1, argv + argc});
   }
   catch(const BadInput& e)
   {
-    return complain(s.program(), e.what(), 2);
+    complain(e);
+    return 2;
   }
   catch(const std::exception& e)
   {
-    return complain(s.program(), e.what(), 1);
+    complain(e);
+    return 1;
   }
 }

@@ -1,0 +1,508 @@
+/// @file
+/// Gauss' collocation with eight stages for motions of few degrees of freedom.
+///
+/// For every smooth system x″ = F(t, x, x′) of n numbers. In each step the accelerations are a polynomial of the seventh
+/// degree that satisfies the equations at eight moments, the zeros of Legendre's polynomial; what is found so is right to
+/// the sixteenth order, keeps every quadratic invariant, and can be gone back. The eight moments are worked on at once,
+/// or, in an ensemble, eight motions. The equations of a step are solved by repetition, from the polynomial of the step
+/// before; what is added up is added with what the sums are rounded by.
+///
+/// The step is as long as the polynomial's last two coefficients allow, and kept as long as it may: a motion that returns
+/// is followed by equal steps, and so without drift. A motion that cannot be followed is refused, not guessed at.
+///
+/// All is + − × ÷ and √ without contraction, in the same order for every width of registers and for a motion alone or
+/// among others: the bits are the same. The course of the steps does not depend on the moments asked for.
+#pragma once
+
+#include <cstdint>
+
+#include "collocation/coefficients.hpp"
+#include "collocation/effort.hpp"
+#include "collocation/eight.hpp"
+
+namespace collocation
+{
+
+/// A motion of n numbers under way, `lanes` of them side by side: plain numbers, the same for every width of registers.
+template <unsigned n, unsigned lanes>
+struct alignas(64) Record
+{
+  double x[n][lanes] = {};          ///< where they are
+  double x_lost[n][lanes] = {};     ///< what those were rounded by
+  double v[n][lanes] = {};          ///< how fast they move
+  double v_lost[n][lanes] = {};     ///< what those were rounded by
+  double t[lanes] = {};             ///< when
+  double t_lost[lanes] = {};        ///< what that was rounded by
+  double step[lanes] = {};          ///< the next step
+  double last_step[lanes] = {};     ///< the last one; 0 before the first
+  double trouble[lanes] = {};       ///< the largest error estimated lately, fading
+  double refused[lanes] = {};       ///< 1 where the motion could not be followed
+  double forces[n][8][lanes] = {};  ///< the accelerations at the stages of the last step
+};
+
+inline namespace COLLOCATION_REGISTERS
+{
+
+/// One motion: its eight stages are worked on at once.
+struct Alone
+{
+  static constexpr unsigned lanes = 1;  ///< motions
+  using Number = double;                ///< one for each motion
+  using Stages = Eight;                 ///< one for each motion and stage
+  using Answer = bool;                  ///< to a question about each motion
+
+  /// From and to memory, and from a table of eight.
+  /// @{
+  ELEMENTARY_INLINE static double load(const double* x) { return *x; }
+  ELEMENTARY_INLINE static void save(double* to, double x) { *to = x; }
+  ELEMENTARY_INLINE static Eight load_stages(const double (*x)[1]) { return Eight(&x[0][0]); }
+  ELEMENTARY_INLINE static void save_stages(double (*to)[1], const Eight& x) { x.store(&to[0][0]); }
+  ELEMENTARY_INLINE static Eight table(const double* x) { return Eight(x); }
+  /// @}
+};
+
+/// Eight motions: the stages one after the other.
+struct Together
+{
+  static constexpr unsigned lanes = 8;  ///< motions
+  using Number = Eight;                 ///< one for each motion
+  using Answer = Mask;                  ///< to a question about each motion
+  /// One for each motion and stage.
+  struct Stages
+  {
+    Eight at[8];  ///< by stage
+
+    Stages() = default;
+    /// The same at each stage.
+    ELEMENTARY_INLINE Stages(const Eight& x)
+    {
+      for(Eight& one : at)
+        one = x;
+    }
+  };
+
+  /// From and to memory, and from a table of eight.
+  /// @{
+  ELEMENTARY_INLINE static Eight load(const double* x) { return Eight(x); }
+  ELEMENTARY_INLINE static void save(double* to, const Eight& x) { x.store(to); }
+  ELEMENTARY_INLINE static Stages load_stages(const double (*x)[8])
+  {
+    Stages s;
+    for(unsigned j = 0; j < 8; ++j)
+      s.at[j] = Eight(&x[j][0]);
+    return s;
+  }
+  ELEMENTARY_INLINE static void save_stages(double (*to)[8], const Stages& x)
+  {
+    for(unsigned j = 0; j < 8; ++j)
+      x.at[j].store(&to[j][0]);
+  }
+  ELEMENTARY_INLINE static Stages table(const double* x)
+  {
+    Stages s;
+    for(unsigned j = 0; j < 8; ++j)
+      s.at[j] = Eight(x[j]);
+    return s;
+  }
+  /// @}
+};
+
+/// Stage by stage.
+/// @{
+template <class Function, class... Arguments>
+ELEMENTARY_INLINE Together::Stages by_stage(Function f, const Arguments&... x)
+{
+  Together::Stages result;
+  for(unsigned j = 0; j < 8; ++j)
+    result.at[j] = f(x.at[j]...);
+  return result;
+}
+ELEMENTARY_INLINE Together::Stages operator+(const Together::Stages& x, const Together::Stages& y)
+{
+  return by_stage([](const Eight& a, const Eight& b) { return a + b; }, x, y);
+}
+ELEMENTARY_INLINE Together::Stages operator-(const Together::Stages& x, const Together::Stages& y)
+{
+  return by_stage([](const Eight& a, const Eight& b) { return a - b; }, x, y);
+}
+ELEMENTARY_INLINE Together::Stages operator*(const Together::Stages& x, const Together::Stages& y)
+{
+  return by_stage([](const Eight& a, const Eight& b) { return a * b; }, x, y);
+}
+ELEMENTARY_INLINE Together::Stages magnitude(const Together::Stages& x)
+{
+  return by_stage([](const Eight& a) { return magnitude(a); }, x);
+}
+ELEMENTARY_INLINE Together::Stages select(const Mask& which, const Together::Stages& x,
+                                          const Together::Stages& y)
+{
+  return by_stage([&which](const Eight& a, const Eight& b) { return select(which, a, b); }, x, y);
+}
+ELEMENTARY_INLINE Eight sum(const Together::Stages& x)
+{
+  const Eight* y = x.at;
+  return ((y[0] + y[4]) + (y[2] + y[6])) + ((y[1] + y[5]) + (y[3] + y[7]));
+}
+/// @}
+
+/// The accelerations at all stages.
+/// @{
+template <class System, unsigned n>
+ELEMENTARY_INLINE void forces(const System& of, const Eight& t, const Eight (&x)[n], const Eight (&v)[n],
+                              Eight (&a)[n])
+{
+  System::accelerations(of, t, x, v, a);
+}
+template <class System, unsigned n>
+ELEMENTARY_INLINE void forces(const System& of, const Together::Stages& t, const Together::Stages (&x)[n],
+                              const Together::Stages (&v)[n], Together::Stages (&a)[n])
+{
+#pragma GCC unroll 1
+  for(unsigned j = 0; j < 8; ++j)
+  {
+    Eight at[n], rate[n], acceleration[n];
+    for(unsigned k = 0; k < n; ++k)
+    {
+      at[k] = x[k].at[j];
+      rate[k] = v[k].at[j];
+    }
+    System::accelerations(of, t.at[j], at, rate, acceleration);
+    for(unsigned k = 0; k < n; ++k)
+      a[k].at[j] = acceleration[k];
+  }
+}
+/// @}
+
+/// Σ columns[j]·Fⱼ at each stage.
+/// @{
+ELEMENTARY_INLINE Eight combined(const double (&columns)[8][8], const Eight& F)
+{
+  alignas(64) double f[8];
+  F.store(f);
+  Eight even = Eight(columns[0]) * Eight(f[0]), odd = Eight(columns[1]) * Eight(f[1]);
+  for(unsigned j = 2; j < 8; j += 2)
+  {
+    even = even + Eight(columns[j]) * Eight(f[j]);
+    odd = odd + Eight(columns[j + 1]) * Eight(f[j + 1]);
+  }
+  return even + odd;
+}
+ELEMENTARY_INLINE Together::Stages combined(const double (&columns)[8][8], const Together::Stages& F)
+{
+  Together::Stages result;
+#pragma GCC unroll 1
+  for(unsigned i = 0; i < 8; ++i)
+  {
+    Eight even = Eight(columns[0][i]) * F.at[0], odd = Eight(columns[1][i]) * F.at[1];
+    for(unsigned j = 2; j < 8; j += 2)
+    {
+      even = even + Eight(columns[j][i]) * F.at[j];
+      odd = odd + Eight(columns[j + 1][i]) * F.at[j + 1];
+    }
+    result.at[i] = even + odd;
+  }
+  return result;
+}
+/// @}
+
+/// |x| of one number or of eight.
+/// @{
+ELEMENTARY_INLINE double magnitude_of(double x)
+{
+  return elementary::magnitude(x);
+}
+ELEMENTARY_INLINE Eight magnitude_of(const Eight& x)
+{
+  return magnitude(x);
+}
+/// @}
+
+/// The upper 24 bits of x, so that its square is exact: what it would be rounded by is the same in every step, and adds up.
+/// @{
+ELEMENTARY_INLINE double trimmed(double x)
+{
+  return elementary::from_bits<double>(elementary::bits_of(x) & ~std::uint64_t{0x1fffffff});
+}
+ELEMENTARY_INLINE Eight trimmed(const Eight& x)
+{
+  return each(
+      [](Wide a) {
+        return elementary::from_bits<Wide>(elementary::bits_of(a) & ~std::uint64_t{0x1fffffff});
+      },
+      x);
+}
+/// @}
+
+/// The numbers of each stage.
+/// @{
+ELEMENTARY_INLINE void split(const Eight& x, double (&numbers)[8])
+{
+  x.store(numbers);
+}
+ELEMENTARY_INLINE void split(const Together::Stages& x, Eight (&numbers)[8])
+{
+  for(unsigned j = 0; j < 8; ++j)
+    numbers[j] = x.at[j];
+}
+/// @}
+
+/// A motion of a System, alone or among others, as it is carried on from step to step.
+template <class Layout, class System>
+class Course
+{
+public:
+  static constexpr unsigned n = System::freedoms;  ///< numbers that move
+  using Number = typename Layout::Number;          ///< one for each motion
+  using Stages = typename Layout::Stages;          ///< one for each motion and stage
+  using Answer = typename Layout::Answer;          ///< to a question about each motion
+  using Kept = Record<n, Layout::lanes>;           ///< the motion in memory
+
+  /// The motion as it is kept.
+  ELEMENTARY_INLINE Course(const System& of, const Kept& kept) : of_(of)
+  {
+    for(unsigned k = 0; k < n; ++k)
+    {
+      x_[k] = Layout::load(kept.x[k]);
+      x_lost_[k] = Layout::load(kept.x_lost[k]);
+      v_[k] = Layout::load(kept.v[k]);
+      v_lost_[k] = Layout::load(kept.v_lost[k]);
+      F_[k] = Layout::load_stages(kept.forces[k]);
+    }
+    t_ = Layout::load(kept.t);
+    t_lost_ = Layout::load(kept.t_lost);
+    step_ = Layout::load(kept.step);
+    last_step_ = Layout::load(kept.last_step);
+    trouble_ = Layout::load(kept.trouble);
+    refused_ = Layout::load(kept.refused);
+  }
+
+  /// Keeps it.
+  ELEMENTARY_INLINE void keep(Kept& kept) const
+  {
+    for(unsigned k = 0; k < n; ++k)
+    {
+      Layout::save(kept.x[k], x_[k]);
+      Layout::save(kept.x_lost[k], x_lost_[k]);
+      Layout::save(kept.v[k], v_[k]);
+      Layout::save(kept.v_lost[k], v_lost_[k]);
+      Layout::save_stages(kept.forces[k], F_[k]);
+    }
+    Layout::save(kept.t, t_);
+    Layout::save(kept.t_lost, t_lost_);
+    Layout::save(kept.step, step_);
+    Layout::save(kept.last_step, last_step_);
+    Layout::save(kept.trouble, trouble_);
+    Layout::save(kept.refused, refused_);
+  }
+
+  /// Carries it on by whole steps as long as none leads beyond `until`, or, `exactly`, to that moment by a last step as
+  /// long as is left.
+  ELEMENTARY_INLINE void advance(const Number& until, bool exactly, Effort& effort)
+  {
+    for(;;)
+    {
+      const Number left = (until - t_) - t_lost_;
+      const Answer whole = step_ <= left;
+      Answer going = whole & (refused_ <= Number(0.0));
+      if(exactly)
+        going = (Number(0.0) < left) & (refused_ <= Number(0.0));
+      if(!any(going))
+        return;
+      attempt(going, select(whole, step_, left), effort);
+    }
+  }
+
+private:
+  const System& of_;
+  Number x_[n], x_lost_[n], v_[n], v_lost_[n];
+  Number t_, t_lost_, step_, last_step_, trouble_, refused_;
+  Stages F_[n];  // of the last step
+
+  // The polynomial of the last step goes on through a step h; before the first step the accelerations are those at the
+  // start.
+  ELEMENTARY_INLINE void guess(const Number& h, Stages (&G)[n]) const
+  {
+    namespace number = coefficients;
+    const Answer begun = Number(0.0) < last_step_;
+    const Number ratio = h / select(begun, last_step_, Number(1.0));
+    const Stages at = Stages(Number(1.0)) + Stages(ratio) * Layout::table(number::c);
+    Stages before[8];  // Π (at − cₘ) for m < j
+    before[0] = Stages(Number(1.0));
+    for(unsigned j = 1; j < 8; ++j)
+      before[j] = before[j - 1] * (at - Stages(Number(number::c[j - 1])));
+    Number f[n][8];
+    for(unsigned k = 0; k < n; ++k)
+    {
+      split(F_[k], f[k]);
+      G[k] = Stages(Number(0.0));
+    }
+    Stages behind = Stages(Number(1.0));
+    for(unsigned j = 8; j-- > 0;)
+    {
+      const Stages weight = before[j] * behind * Stages(Number(number::w[j]));
+      for(unsigned k = 0; k < n; ++k)
+        G[k] = G[k] + weight * Stages(f[k][j]);
+      behind = behind * (at - Stages(Number(number::c[j])));
+    }
+    if(any(!begun))
+    {
+      Stages x[n], v[n], first[n];
+      for(unsigned k = 0; k < n; ++k)
+      {
+        x[k] = Stages(x_[k]);
+        v[k] = Stages(v_[k]);
+      }
+      forces(of_, Stages(t_), x, v, first);
+      for(unsigned k = 0; k < n; ++k)
+        G[k] = select(begun, G[k], first[k]);
+    }
+  }
+
+  // One sweep: from the accelerations the velocities and places at the stages, and from these the accelerations.
+  ELEMENTARY_INLINE void sweep(const Number& h, const Stages& t, const Stages& of_step,
+                               const Stages (&F)[n], Stages (&G)[n]) const
+  {
+    Stages x[n], v[n];
+    const Stages h_of_all(h);
+    for(unsigned k = 0; k < n; ++k)
+    {
+      v[k] = Stages(v_[k]) + h_of_all * combined(coefficients::once, F[k]);
+      const Stages drift = of_step * Stages(v_[k]);
+      x[k] = Stages(x_[k]) + (drift + (h_of_all * h_of_all) * combined(coefficients::twice, F[k]));
+    }
+    forces(of_, t, x, v, G);
+  }
+
+  ELEMENTARY_INLINE static Number size_of(const Stages (&F)[n])
+  {
+    Stages all = magnitude(F[0]);
+    for(unsigned k = 1; k < n; ++k)
+      all = all + magnitude(F[k]);
+    return sum(all);
+  }
+
+  ELEMENTARY_INLINE static Number coefficient(const Stages (&F)[n], const double* weights)
+  {
+    Number size = magnitude_of(sum(F[0] * Layout::table(weights)));
+    for(unsigned k = 1; k < n; ++k)
+      size = size + magnitude_of(sum(F[k] * Layout::table(weights)));
+    return size;
+  }
+
+  // Solves the equations of a step by repetition. Converged is what changes no more, but for rounding.
+  ELEMENTARY_INLINE Answer solved(const Answer& going, const Number& h, Stages (&F)[n],
+                                  Effort& effort) const
+  {
+    constexpr double rounding = 0x1p-54, noise = 0x1p-44;
+    constexpr int most = 60;
+    const Stages of_step = Stages(h) * Layout::table(coefficients::c);
+    const Stages t = Stages(t_) + (of_step + Stages(t_lost_));
+    Answer busy = going, good = going;
+    Number before(0.0);
+    for(int count = 1; any(busy); ++count)
+    {
+      ++effort.sweeps;
+      Stages G[n], change[n];
+      sweep(h, t, of_step, F, G);
+      for(unsigned k = 0; k < n; ++k)
+        change[k] = G[k] - F[k];
+      const Number changed = size_of(change), size = size_of(G);
+      for(unsigned k = 0; k < n; ++k)
+        F[k] = select(busy, G[k], F[k]);
+      const Answer smaller = changed <= Number(0.5) * before;
+      const Answer settled = changed * changed <= Number(rounding) * (size * before);
+      const Answer quiet = (!smaller) & (changed <= Number(noise) * size);
+      const Answer done = count == 1 ? changed <= Number(0.0) : (settled & smaller) | quiet;
+      const Answer failing =
+          (count > 3 ? !(changed <= Number(0.7) * before) : !(changed <= changed)) & !done;
+      good = good & !(busy & failing);
+      busy = busy & !done & !failing;
+      if(count == most)
+      {
+        good = good & !busy;
+        busy = busy & !busy;
+      }
+      before = changed;
+    }
+    return good;
+  }
+
+  ELEMENTARY_INLINE void attempt(const Answer& going, const Number& h, Effort& effort)
+  {
+    namespace number = coefficients;
+    Stages F[n];
+    guess(h, F);
+    const Answer converged = solved(going, h, F, effort);
+
+    // the error of the step, by the last coefficients
+    const Number zero(0.0), size = Number(0.125) * size_of(F);
+    const Number seventh = coefficient(F, number::seventh),
+                 sixth = Number(0.25) * coefficient(F, number::sixth);
+    const Number last = select(seventh <= sixth, sixth, seventh);
+    Number speed = h * size;
+    for(unsigned k = 0; k < n; ++k)
+      speed = speed + magnitude_of(v_[k]);
+    const Number scale = size * speed;
+    const Number error =
+        select(zero < scale, h * (last * last) / select(zero < scale, scale, Number(1.0)), zero);
+    const Number tolerance(effort.tolerance);
+    const Answer accepted = converged & (error <= tolerance);
+    const Answer rejected = going & !accepted;
+
+    // how much longer or shorter the next may be
+    const Number floor(0x1p-200);
+    const Number room = tolerance / select(floor <= error, error, floor);
+    const Number factor = Number(0.9) * root(root(root(root(room))));
+    const Answer first = last_step_ <= zero;
+    const Number fading = Number(0.9) * trouble_;
+    const Number trouble = select(first, error, select(fading <= error, error, fading));
+    const Answer easy = Number(0x1p5) * trouble <= tolerance, idle = Number(0x1p18) * trouble <= tolerance;
+    const Number longer = select(idle, Number(2.0), select(easy, Number(1.1875), Number(1.0)));
+    const Number held =
+        select(factor <= Number(0.25), Number(0.25), select(factor <= Number(0.8), factor, Number(0.8)));
+    const Number shorter = select(converged, held, Number(0.5));
+
+    commit(accepted, h, F);
+    const Number grown = select(h < step_, step_, trimmed(h * longer));
+    step_ = select(accepted, grown, select(rejected, trimmed(h * shorter), step_));
+    trouble_ = select(accepted, trouble, select(rejected, tolerance, trouble_));
+    const Answer hopeless =
+        rejected & ((step_ <= Number(0x1p-40) * magnitude_of(t_)) | (step_ <= Number(0x1p-900)));
+    refused_ = select(hopeless, Number(1.0), refused_);
+    if(any(accepted))
+      ++effort.steps;
+    if(any(rejected))
+      ++effort.rejected;
+  }
+
+  // Where F leads to in a step of h.
+  ELEMENTARY_INLINE void commit(const Answer& accepted, const Number& h, const Stages (&F)[n])
+  {
+    namespace number = coefficients;
+    for(unsigned k = 0; k < n; ++k)
+    {
+      const Number gained =
+          h * (sum(F[k] * Layout::table(number::b)) + sum(F[k] * Layout::table(number::b_lost)));
+      const Number bent =
+          (h * h) * (sum(F[k] * Layout::table(number::d)) + sum(F[k] * Layout::table(number::d_lost)));
+      const auto drift = elementary::product_of(h, v_[k]);
+      const auto x = elementary::sum_of(x_[k], drift.value);
+      const Number x_rest = (x.lost + drift.lost) + (bent + (h * v_lost_[k] + x_lost_[k]));
+      const auto x_new = elementary::ordered_sum(x.value, x_rest);
+      const auto v = elementary::sum_of(v_[k], gained);
+      const auto v_new = elementary::ordered_sum(v.value, Number(v.lost + v_lost_[k]));
+      x_[k] = select(accepted, x_new.value, x_[k]);
+      x_lost_[k] = select(accepted, x_new.lost, x_lost_[k]);
+      v_[k] = select(accepted, v_new.value, v_[k]);
+      v_lost_[k] = select(accepted, v_new.lost, v_lost_[k]);
+      F_[k] = select(accepted, F[k], F_[k]);
+    }
+    const auto t = elementary::sum_of(t_, h);
+    const auto t_new = elementary::ordered_sum(t.value, Number(t.lost + t_lost_));
+    t_ = select(accepted, t_new.value, t_);
+    t_lost_ = select(accepted, t_new.lost, t_lost_);
+    last_step_ = select(accepted, h, last_step_);
+  }
+};
+}  // namespace COLLOCATION_REGISTERS
+}  // namespace collocation
