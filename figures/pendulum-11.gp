@@ -10,6 +10,6 @@ set label "semicircle" at 88, 1.36 right textcolor linetype 1
 set label "exact" at 157, 2.45 right textcolor linetype 1
 set label "Euler's five terms" at 178, 1.26 right textcolor linetype 2
 set label "(2/π) ln(8/η)" at 114, 1.0 left textcolor linetype 6
-plot tsv("pendulum-11.ratio") using "zeta":(column("near_the_top") > 0.9 ? column("near_the_top") : NaN) with lines linetype 6 dashtype (4, 4), \
+plot tsv("pendulum-11.ratio_curve") using "zeta":(column("near_the_top") > 0.9 ? column("near_the_top") : NaN) with lines linetype 6 dashtype (4, 4), \
      "" using "zeta":"five_terms" with lines linetype 2, \
      "" using "zeta":"exact" with lines linetype 1

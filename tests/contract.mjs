@@ -1,6 +1,6 @@
 // The contract of every section's program: what it answers to each call, and what it refuses. Run with the program's path.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 import { openSync, closeSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -28,17 +28,23 @@ function refuses(args, status, ...words) {
 
 const told = JSON.parse(run(['--json']).out);
 
-/** Numbers on the wrong side of each end of a range in words. */
-function outside(parameter) {
-  const text = parameter.range.replaceAll('°', '');
-  const number = String.raw`(-?[0-9.]+(?:e[-+]?\d+)?)`;
-  const grow = (x, sign) => String(x + sign * (Math.abs(x) + 1));
-  let m;
-  if ((m = text.match(new RegExp(`^a whole number from ${number} to ${number}$`)))) return [`${+m[1] - 1}`, `${+m[2] + 1}`];
-  if ((m = text.match(new RegExp(`^\\w+ [>≥] ${number}`)))) return [grow(+m[1], -1)];
-  if ((m = text.match(new RegExp(`^${number}.* [<≤] \\w+ [<≤] ${number}`)))) return [grow(+m[1], -1), grow(+m[2], 1)];
-  assert.equal(text, 'any finite number', `the range of ${parameter.name} is in no known form`);
-  return [];
+const number = (x) => (typeof x === 'number' ? x : Number(x.replace('inf', 'Infinity')));
+
+/** Numbers on the wrong side of each end of a parameter's range. */
+function outside({ kind, lo, hi }) {
+  const beyond = (x, sign) => (kind === 'integer' ? x + sign : x + sign * (Math.abs(x) + 1));
+  return [beyond(number(lo), -1), beyond(number(hi), 1)].filter(Number.isFinite).map(String);
+}
+
+/** The ends of a parameter's range, what is just inside, and the extremes of the doubles that it allows. */
+function extremes({ kind, lo, hi, lo_open, hi_open }) {
+  const [from, to] = [number(lo), number(hi)];
+  const inside = (x) => (lo_open ? x > from : x >= from) && (hi_open ? x < to : x <= to);
+  if (kind === 'integer') return [...new Set([from, from + 1, to - 1, to])].filter(inside).map(String);
+  const near = (x, toward) => x + (toward - x) * 1e-12;
+  const candidates = [from, to, 5e-324, 1e-300, 1e-160, 1e160, Number.MAX_VALUE, -1e160, -5e-324];
+  if (Number.isFinite(from) && Number.isFinite(to)) candidates.push(near(from, to), near(to, from));
+  return [...new Set(candidates.filter((x) => Number.isFinite(x) && inside(x)).map(String))];
 }
 
 test('it tells its section', () => {
@@ -90,6 +96,48 @@ test('it refuses what it does not know, and calls that contradict each other', (
   refuses(['stray'], 2, 'stray', 'allowed');
   refuses(['--data', scratch, '--check'], 2, '--data', 'allowed');
   refuses(['--', '-tc=x'], 2, '-tc=x', '--check');
+  for (const flag of ['--json', '--check', '--bench', '--help', '--version']) refuses([`${flag}=0`], 2, flag, 'allowed');
+  refuses(['--data', ''], 2, '--data', 'allowed');
+  refuses(['--data='], 2, '--data', 'allowed');
+});
+
+test('what it refuses stays one line, and its status stays 2, whatever is written and wherever to', () => {
+  refuses([`--no\nsuch`], 2, '\\x0a');
+  refuses(['x'.repeat(100_000)], 2, '100000 bytes');
+  const shell = (redirection) => spawnSync('sh', ['-c', `"$0" --no-such-option 2>${redirection}`, program]).status;
+  assert.equal(shell('/dev/full'), 2);
+  assert.equal(shell('&-'), 2);
+});
+
+// Under the sanitizers neither time nor memory say anything.
+const sweep = process.env.CONTRACT_SWEEP === 'yes';
+test('at the ends of every range, and at the extremes inside, it is right or refuses', { skip: !sweep }, () => {
+  const infinite = new Set(JSON.parse(run(['--check', '--json']).out).infinite);
+  for (const p of told.parameters)
+    for (const value of extremes(p)) {
+      const call = `${name} --${p.name}=${value}`;
+      const limits = 'ulimit -t 10; ulimit -v 1048576; exec "$0" "$@"';
+      const r = spawnSync('bash', ['-c', limits, program, `--${p.name}=${value}`, '--json'], { encoding: 'utf8', maxBuffer: 1 << 28 });
+      if (r.status === 2) {
+        assert.match(r.stderr, /^[^\n]+ allowed: [^\n]+\n$/, `${call}: one line on standard error`);
+        continue;
+      }
+      assert.equal(r.status, 0, `${call}: ${r.signal ?? r.stderr}`);
+      const now = JSON.parse(r.stdout);
+      const cells = now.tables.flatMap((t) => t.columns.map((c, i) => [`${t.name}.${c.name}`, t.rows.map((row) => row[i])]));
+      for (const [key, all] of [...now.values.map((v) => [v.name, [v.value]]), ...cells])
+        for (const x of all) {
+          assert.notEqual(x, 'nan', `${call}: ${key}`);
+          if (x === 'inf' || x === '-inf') assert.ok(infinite.has(key), `${call}: ${key} is ${x}, and no claim says that it may be`);
+        }
+    }
+});
+
+test('with --data it can tell to machines too, and eight may write into one folder at once', async () => {
+  const folder = path.join(scratch, 'together');
+  assert.equal(JSON.parse(run(['--json', '--data', folder]).out).id, told.id);
+  const one = () => new Promise((done) => spawn(program, ['--data', folder], { stdio: 'ignore' }).on('exit', done));
+  assert.deepEqual(await Promise.all(Array.from({ length: 8 }, one)), Array(8).fill(0));
 });
 
 test('a parameter may be given as what it is anyway', () => {
@@ -102,9 +150,14 @@ test('its checks hold, each claims something, and a run without checks is no suc
   assert.equal(r.status, 0, run(['--check']).out);
   assert.ok(report.passed && report.cases.length > 0);
   for (const c of report.cases) assert.ok(c.passed && c.claims.length > 0, c.name);
+  assert.deepEqual(report.uncovered, []);
   const entries = [...told.errata, ...told.emendations, ...told.doubtful, ...told.undecided];
   assert.equal(report.apparatus.length, entries.length);
-  assert.equal(run(['--check', '--', '-tc=no such check']).status, 1);
+  const none = run(['--check', '--', '-tc=no such check']);
+  assert.equal(none.status, 1);
+  assert.match(none.out, /no check matches -tc=no such check/);
+  assert.match(run(['--check', '--', '-ltc']).out, new RegExp(report.cases[0].name.slice(0, 20).replace(/[^\w ]/g, '.')));
+  refuses(['--check', '--', '--no-such'], 2, '--no-such', 'allowed');
 });
 
 test('its data are headed, rectangular, the same twice, and whole', () => {

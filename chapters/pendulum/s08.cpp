@@ -241,7 +241,7 @@ CHECK_THAT("the ladder gives the integrals of the even powers, and they are the 
 CHECK_THAT(
     "the series is the time, and in double twenty thousand terms of it lose no more than their rounding")
 {
-  for(const double zeta : {1e-8_rad, 1_deg, 30_deg, 90_deg, 150_deg, 162_deg})
+  for(const double zeta : {1e-8, 1_deg, 30_deg, 90_deg, 150_deg, 162_deg})
     CHECK(left_out(sin(Fifty(zeta) / 2), cos(Fifty(zeta) / 2), 4000).R
           == within(0, 1e-45, "c⁸⁰⁰⁰ is 10⁻⁴³ at 162°, and 4000 roundings"));
   const double cc = std::pow(std::sin(175_deg / 2), 2);

@@ -96,7 +96,7 @@ TELL
 {
   auto& rows =
       table("candidates", "Ways to the length of the seconds pendulum; printed is 3,16621",
-            {{"way", "way"}, {"b", "b", feet, 6}, {"off", "off the printed", Unit{"10⁻⁵ ft", 1e5L}, 3}});
+            {{"way", "way"}, {"b", "b", feet, 6}, {"off", "off the printed", Unit{"10⁻⁵ ft", 1e5}, 3}});
   const auto row = [&](const char* way, double length) { rows.row({way, length, length - 3.16621}); };
   row("2g = 31", seconds_length(15.5));
   row("2g = 31¼", seconds_length(15.625));

@@ -183,7 +183,7 @@ The figure's lengths, and the rule against the mean.
 
 CHECK_THAT("the sagitta is what AD lacks of AB, and OD and AD are the sides of a right angle")
 {
-  for(const double zeta : {1e-9_rad, 1_deg, 30_deg, 90_deg, 170_deg})
+  for(const double zeta : {1e-9, 1_deg, 30_deg, 90_deg, 170_deg})
   {
     const auto [b, OD, AD, BD] = figure(0.8, 0.4, zeta);
     CHECK(std::hypot(OD, AD) == within_ulps(Fifty(b), 1, "sine, cosine, and two factors"));
@@ -212,7 +212,7 @@ only $10^{-20}b$ of the diameter. There $2b - d$ must be given: in double precis
 
 CHECK_THAT("T/Θ − 1 keeps its digits from a swing of 1e-150 to one that nearly reaches the top")
 {
-  for(const double zeta : {1e-150_rad, 1e-100_rad, 1e-8_rad})
+  for(const double zeta : {1e-150, 1e-100, 1e-8})
     CHECK(swing::ratio_excess(Amplitude::from_zeta(zeta))
           == within_ulps(Fifty(zeta) * zeta / 16 * (1 + Fifty(11) * zeta * zeta / 192), 2,
                          "the first terms of (6)"));

@@ -2,6 +2,7 @@
 
 #include "edition/section.hpp"
 #include "pendulum/series.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 11, "The whole series, the semicircle, and the swing without end")
@@ -35,7 +36,7 @@ $$ \begin{aligned} T = \Theta\Bigl(1
    &+ \frac{1^2\cdot3^2\cdot5^2\cdot7^2}{2^2\cdot4^2\cdot6^2\cdot8^2}\cdot\frac1{16} + \text{etc.}\Bigr),
    \end{aligned} \tag{2} $$
 
-which he sums to nearly $T = 1{,}1805\,\Theta$, a ratio of nearly 5 to 6. Beyond the semicircle the times grow
+which he sums to nearly $T = 1{,}1805\,\Theta$ {{entry one_digit}}, a ratio of nearly 5 to 6. Beyond the semicircle the times grow
 further, and if the pendulum is to go through the whole circle the time is infinite. It must be: brought to
 the highest point, the pendulum stays there, vertical, and never falls. The series shows the same. For then
 $d = 2b$, and it becomes
@@ -45,7 +46,7 @@ $$ 1 + \frac{1^2}{2^2} + \frac{1^2\cdot3^2}{2^2\cdot4^2} + \frac{1^2\cdot3^2\cdo
 
 That its sum is infinite is seen from the integral of {{sec pendulum.07}}, which for $c = 1$ is
 
-$$ \int_0^1 \frac{dz}{1-zz} = \tfrac12\,l\,\frac{1+z}{1-z}\;\Big|_{z=1} = \infty. \tag{4} $$
+$$ \int_0^1 \frac{dz}{1-zz}{{entry integrand}} = \tfrac12\,l\,\frac{1+z}{1-z}{{entry logarithm}}\;\Big|_{z=1} = \infty. \tag{4} $$
 
 ## The program
 
@@ -74,25 +75,38 @@ double sum_at_the_top(double terms)  // (3), nearly
 }
 
 const auto swing_ = amplitude(90_deg, closed(0_deg, 180_deg));
-const auto b = real("b", 1.0, metres, positive, "length of the equivalent simple pendulum, AO");
+const auto b = real("b", 1.0, metres, scale, "length of the equivalent simple pendulum, AO");
 const auto n = integer("n", 5, 1, 1'000'000, "terms of the series that are kept; Euler writes five");
+
+double terms_to_pass(double sum)  // (3), nearly
+{
+  return std::exp(sum * std::numbers::pi - landau_constant);
+}
+
+double too_large(double ratio_of_five_to_six)  // 5 : 6 against the truth for the semicircle
+{
+  return ratio_of_five_to_six / swing::ratio_from_top(90_deg) - 1;
+}
 
 TELL
 {
   const double cc = std::pow(std::sin(swing_.zeta / 2), 2);
   tell("d", 2 * b * cc, metres, "the sagitta BD, how high O rises");
-  tell("T_over_Theta", ratio_by_mean(swing_.eta.fifty()), "one swing, the infinitely small swing being 1");
+  if(swing_.eta > 0)
+    tell("T_over_Theta", ratio_by_mean(swing_.eta.fifty()),
+         "one swing, the infinitely small swing being 1");
+  else
+    tell("T_over_Theta", infinity, "one swing, the infinitely small swing being 1");
   tell("kept", series(cc, n), "the first n terms of (1)");  // (1)
   tell("short_by", swing::ratio({swing_.zeta, swing_.eta}) - series(cc, n), "what they leave out");
   tell("semicircle", ratio_by_mean(exact::pi() / 2), "T/Θ for ζ = 90°");
-  tell("five_to_six", 1.2 / swing::ratio_from_top(90_deg) - 1, percent, "by how much 5 : 6 is too large");
-  tell("to_pass_ten", std::exp(10 * std::numbers::pi - landau_constant),
-       "terms of (3) until their sum passes ten");
+  tell("five_to_six", too_large(1.2), percent, "by how much 5 : 6 is too large");
+  tell("to_pass_ten", terms_to_pass(10), "terms of (3) until their sum passes ten", 6);
 }
 
 TELL
 {
-  curve("ratio", {"zeta", "exact", "five_terms", "near_the_top"}, [](Curve& c) {
+  curve("ratio_curve", {"zeta", "exact", "five_terms", "near_the_top"}, [](Curve& c) {
     for(double zeta = 0; zeta < 180; zeta += zeta < 178 ? 0.5 : 0.01)
     {
       const double eta = (180 - zeta) * 1_deg, cc = std::pow(std::cos(eta / 2), 2);
@@ -100,34 +114,14 @@ TELL
              2 / std::numbers::pi * std::log(8 / eta)});
     }
   });
-  curve("sums", {"terms", "sum"}, [](Curve& c) {
+  curve("sums", {"terms", "sum", "zeta"}, [](Curve& c) {
     for(const double zeta : {90_deg, 150_deg, 170_deg, 178_deg, 180_deg})
     {
       for(int terms = 1; terms <= 100'000; terms += 1 + terms / 20)
-        c.put({static_cast<double>(terms), series(std::pow(std::sin(zeta / 2), 2), terms)});
+        c.put({static_cast<double>(terms), series(std::pow(std::sin(zeta / 2), 2), terms), zeta});
       c.block();
     }
   });
-}
-
-/*!
-Which way to the number is the best depends on the amplitude: try `--zeta 175 --bench`.
-*/
-
-TELL
-{
-  const double zeta = swing_.zeta, eta = swing_.eta, c = std::sin(zeta / 2);
-  if(eta == 0)
-    return;  // nothing finite to compare
-  std::vector<Method> ways;
-  for(const int terms : {5, 12, 24, 44})
-    ways.push_back({"Euler's series, " + std::to_string(terms) + " terms",
-                    [=] { return series(c * c, terms); }, "series"});
-  ways.push_back({"arithmetic-geometric mean", [=] { return ratio_by_mean(eta); }});
-  ways.push_back({"GSL, of the modulus",
-                  [=] { return gsl_sf_ellint_Kcomp(c, GSL_PREC_DOUBLE) * 2 / std::numbers::pi; }});
-  ways.push_back({"this edition", [=] { return swing::ratio({zeta, eta}); }});
-  race("ratio", "T/Θ", ratio_by_mean(swing_.eta.fifty()), ways);
 }
 
 /*!
@@ -152,7 +146,31 @@ How the sums of {{eq 1}} grow with the number of terms. All begin along the dive
 wider the swing, the later they turn off to their value. For 180° they never do; but they grow so slowly that
 it takes {{to_pass_ten|e4}} terms to pass 10.
 :::
+*/
 
+/*!
+## Speed against error
+
+Which way to the number is the best depends on the amplitude: try `--zeta 175 --bench`.
+*/
+
+TELL
+{
+  const double zeta = swing_.zeta, eta = swing_.eta, c = std::sin(zeta / 2);
+  if(eta == 0)
+    return;  // nothing finite to compare
+  std::vector<Method> ways;
+  for(const int terms : {5, 12, 24, 44})
+    ways.push_back({"Euler's series, " + std::to_string(terms) + " terms",
+                    [=] { return series(c * c, terms); }, "series"});
+  ways.push_back({"arithmetic-geometric mean", [=] { return ratio_by_mean(eta); }});
+  ways.push_back({"GSL, of the modulus",
+                  [=] { return gsl_sf_ellint_Kcomp(c, GSL_PREC_DOUBLE) * 2 / std::numbers::pi; }});
+  ways.push_back({"this edition", [=] { return swing::ratio({zeta, eta}); }});
+  race("ratio", "T/Θ", ratio_by_mean(swing_.eta.fifty()), ways);
+}
+
+/*!
 ## Checks
 
 The number for the semicircle has a closed form in the Gamma function, and the series, the mean and the
@@ -225,8 +243,8 @@ const Emendation logarithm{"§11, the logarithm",
                            }};
 
 /*!
-The divergent series, and the top itself. No machine will add enough terms to pass ten; Landau's law, with its
-next term for a bound, tells how many it would take.
+The divergent series, and the top itself. Landau's law, with its next term for a bound, tells how many terms it
+takes to pass ten without their being added.
 */
 
 CHECK_THAT(
@@ -243,7 +261,106 @@ CHECK_THAT(
 CHECK_THAT("at 180° the time is infinite, but the double nearest π is not 180°")
 {
   CHECK(std::isinf(swing::ratio({180_deg, 0})));
+  for(const Told& now : told_at("zeta=180"))
+  {
+    CHECK(now.value("T_over_Theta") == infinite("the swing without end"));
+    CHECK(now.value("short_by") == infinite("five terms of it are finite"));
+  }
   const Fifty short_of_pi = exact::pi() - 180_deg;
   CHECK(swing::ratio_from_bottom(180_deg)
         == within_ulps(ratio_by_mean(short_of_pi), 1, "the library's own bound"));
+}
+
+/*!
+And what is told is looked at: the time against the library's own oracle, the sums against sums of fractions or of
+fifty digits, at the semicircle, near the top, and where a thousandth of a degree is all.
+*/
+
+Fifty sum_of_terms(const Fifty& cc,
+                   int terms)  // (1), term by term from the products of its odd and even numbers
+{
+  Fifty sum = 0, odd = 1, even = 1;
+  for(int n = 0; n < terms; ++n)
+  {
+    sum += odd * odd / (even * even) * pow(cc, n);
+    odd *= 2 * n + 1;
+    even *= 2 * n + 2;
+  }
+  return sum;
+}
+
+CHECK_THAT("the time told is the swing's, and the terms told are the series', at any amplitude")
+{
+  for(const Told& now : told_at("", "zeta=150 n=12", "eta=1e-9 b=3", "zeta=0.001 n=2"))
+  {
+    const Fifty cc = pow(sin(swing_.zeta.fifty() / 2), 2),
+                T = swing::oracle::ratio_from_top(swing_.eta.fifty());
+    CHECK(now.value("d", metres) == within_relative(2 * b.fifty() * cc, 1e-15, "sine, square, product"));
+    CHECK(now.value("T_over_Theta") == within_relative(T, 1e-45, "two ways of fifty digits"));
+    const Fifty kept = sum_of_terms(cc, n);
+    CHECK(now.value("kept") == within_relative(kept, 1e-15, "each term is smaller than the one before"));
+    CHECK(now.value("short_by")
+          == within(T - kept, 4e-16 * static_cast<double>(T), "a difference of two rounded numbers"));
+    CHECK(now.exact("ratio") == within_relative(T, 1e-45, "two ways of fifty digits"));
+    for(const int terms : {5, 12, 24, 44})
+      CHECK(now.method("ratio", "Euler's series, " + std::to_string(terms) + " terms")
+            == within_relative(sum_of_terms(cc, terms), 2e-15, "a rounding for each term at most"));
+    const double turned = 2 * std::abs(static_cast<double>(1 - T * cos(swing_.eta.fifty() / 2)));
+    const double rounding = static_cast<double>(T) * 1e-16 * (8 + turned);
+    CHECK(now.method("ratio", "arithmetic-geometric mean") == within(T, rounding, "η and each mean round"));
+    CHECK(now.method("ratio", "this edition") == within(T, rounding, "η rounds, and the library's bound"));
+  }
+}
+
+/*!
+GSL takes the modulus, which a thousandth of a degree from the top has lost its last digits.
+*/
+
+CHECK_THAT("GSL's way is right far from the top, and loses half its digits or all near it")
+{
+  for(const Told& now : told_at("", "zeta=150 n=12", "zeta=0.001 n=2"))
+    CHECK(now.method("ratio", "GSL, of the modulus")
+          == within_relative(swing::oracle::ratio_from_top(swing_.eta.fifty()), 2e-14,
+                             "1 − cc loses a digit"));
+}
+
+CHECK_THAT("what is told of the semicircle, and of the sums that pass ten, does not depend on the swing")
+{
+  for(const Told& now : told_at("", "zeta=150 n=12", "eta=1e-9 b=3"))
+  {
+    const Fifty closed_form = pow(tgamma(Fifty(0.25)), 2) / (2 * pow(exact::pi(), Fifty(1.5)));
+    CHECK(now.value("semicircle") == within(closed_form, 1e-47, "the digits of Γ"));
+    CHECK(now.value("five_to_six", percent) == within(Fifty(6) / 5 / closed_form - 1, 1e-15, "near 1.2"));
+    const Fifty N = exp(10 * exact::pi() - exact::euler_gamma() - 4 * exact::ln2());
+    CHECK(now.value("to_pass_ten")
+          == within_relative(N + Fifty(0.25), 1e-12, "¼ in 10¹², and ten times π"));
+  }
+}
+
+CHECK_THAT("the figures' curves are the ratio, five terms, the law near the top, and the sums")
+{
+  for(const Told& now : told_at(""))
+  {
+    for(const auto& point : now.points("ratio_curve", 9))
+    {
+      const Fifty eta = (180 - Fifty(point.at("zeta"))) * exact::pi() / 180;
+      const Fifty T = swing::oracle::ratio_from_top(eta);
+      CHECK(point.value("exact")
+            == within_relative(T, 1e-13, "ζ in degrees rounds, which near the top tells"));
+      CHECK(point.value("five_terms")
+            == within_relative(sum_of_terms(pow(cos(eta / 2), 2), 5), 1e-15, "five sums"));
+      CHECK(point.value("near_the_top")
+            == within_relative(2 / exact::pi() * log(8 / eta), 1e-12, "the same"));
+    }
+    for(const auto& point : now.points("sums", 25))
+    {
+      const int terms = static_cast<int>(point.at("terms"));
+      if(terms < 200)
+      {
+        const Fifty cc = pow(sin(Fifty(point.at("zeta")) / 2), 2);
+        CHECK(point.value("sum")
+              == within_relative(sum_of_terms(cc, terms), 2e-14, "two hundred roundings"));
+      }
+    }
+  }
 }

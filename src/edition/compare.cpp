@@ -22,27 +22,32 @@ double spacing_at(double y)
 
 Expectation around(const Fifty& y, const Fifty& radius, std::string tolerance, const char* because)
 {
-  return {y, y - radius, y + radius, std::move(tolerance), because};
+  if(!isfinite(y))
+    return {y, y, y.str(30), "exactly", because};
+  return {y - radius, y + radius, y.str(30), std::move(tolerance), because};
 }
 
 }  // namespace
 
-Expectation::Expectation(const Fifty& expected, const Fifty& lowest, const Fifty& highest,
+Expectation::Expectation(const Fifty& lowest, const Fifty& highest, std::string expected,
                          std::string tolerance, std::string because)
-    : expected_(expected), lowest_(lowest), highest_(highest), tolerance_(std::move(tolerance)),
+    : lowest_(lowest), highest_(highest), expected_(std::move(expected)), tolerance_(std::move(tolerance)),
       because_(std::move(because))
 {
 }
 
 bool Expectation::holds(const Fifty& got, int digits) const
 {
-  last_claim = {got.str(digits), expected_.str(digits), tolerance_, because_};
+  const Fifty width = highest_ - lowest_;
+  const bool measurable = isfinite(width) && width > 0 && isfinite(got);
+  const double used = measurable ? static_cast<double>(abs(2 * got - highest_ - lowest_) / width) : -1.0;
+  remember({got.str(digits), expected_, tolerance_, because_, used});
   return lowest_ <= got && got <= highest_;
 }
 
 std::string Expectation::text() const
 {
-  return fmt::format("{} ({}: {})", expected_.str(20), tolerance_, because_);
+  return fmt::format("{} ({}: {})", expected_, tolerance_, because_);
 }
 
 Expectation within_ulps(const Fifty& y, double n, const char* because)
@@ -63,7 +68,7 @@ Expectation within_relative(const Fifty& y, double eps, const char* because)
 
 Expectation between(const Fifty& lo, const Fifty& hi, const char* because)
 {
-  return {(lo + hi) / Fifty(2), lo, hi, fmt::format("from {} to {}", lo.str(8), hi.str(8)), because};
+  return {lo, hi, fmt::format("{} … {}", lo.str(17), hi.str(17)), "a range", because};
 }
 
 Expectation printed(const char* number)
@@ -76,12 +81,26 @@ Expectation printed(const char* number)
   const auto point = digits.find('.');
   const int places = point == std::string::npos ? 0 : static_cast<int>(digits.size() - point - 1);
   const Fifty half_unit = Fifty(0.5) * pow(Fifty(10), Fifty(-places));
-  return around(Fifty(digits.c_str()), half_unit, "to the digits printed", "half a unit of the last place");
+  const Fifty y(digits.c_str());
+  return {y - half_unit, y + half_unit, number, "to the digits printed", "half a unit of the last place"};
+}
+
+Expectation infinite(const char* because)
+{
+  const Fifty beyond(std::numeric_limits<double>::infinity());
+  Expectation e{beyond, beyond, "inf", "exactly", because};
+  e.infinite_ = true;
+  return e;
 }
 
 doctest::String toString(const Expectation& e)
 {
   return e.text().c_str();
+}
+
+void remember(Claim claim)
+{
+  last_claim = std::move(claim);
 }
 
 Claim take_last_claim()

@@ -17,30 +17,36 @@ using exact::Fifty;
 using exact::Rational;
 
 /// What a real number is expected to be, how far it may be off, and the reason for that much.
-/// Made by within_ulps(), within(), within_relative(), between() and printed(); compared by `==`.
+/// Made by within_ulps(), within(), within_relative(), between(), printed() and infinite(); compared by `==`.
 class Expectation
 {
 public:
-  /// An interval around `expected`, closed; `tolerance` is how the reader is told of its width.
-  Expectation(const Fifty& expected, const Fifty& lowest, const Fifty& highest, std::string tolerance,
+  /// An interval, closed; `expected` and `tolerance` are how the reader is told of it.
+  Expectation(const Fifty& lowest, const Fifty& highest, std::string expected, std::string tolerance,
               std::string because);
 
   /// True when `got` is a number and lies in the interval. Remembers the comparison for the ledger of
-  /// claims.
+  /// claims, what was got with `digits` digits.
   bool holds(const Fifty& got, int digits) const;
 
   /// The expectation in words: number, tolerance, reason.
   std::string text() const;
 
+  /// True of infinite() alone.
+  bool is_infinite() const { return infinite_; }
+
 private:
-  Fifty expected_;
+  friend Expectation infinite(const char* because);
   Fifty lowest_;
   Fifty highest_;
+  std::string expected_;
   std::string tolerance_;
   std::string because_;
+  bool infinite_ = false;
 };
 
-/// At most `n` units in the last place of the double nearest to `y`. Precondition: y finite, n ≥ 0.
+/// At most `n` units in the last place of the double nearest to `y`. An infinite `y` is met by itself alone;
+/// a `y` that is no number by nothing. Precondition: n ≥ 0.
 Expectation within_ulps(const Fifty& y, double n, const char* because);
 /// At most `eps` away from `y`.
 Expectation within(const Fifty& y, double eps, const char* because);
@@ -51,6 +57,8 @@ Expectation between(const Fifty& lo, const Fifty& hi, const char* because);
 /// Rounds to what is printed: at most half a unit of its last place away. `number` is a decimal with
 /// comma or point, for instance "1,1803"; anything else throws std::invalid_argument.
 Expectation printed(const char* number);
+/// Above every number.
+Expectation infinite(const char* because);
 
 /// The comparison itself; what was got is shown with 17 digits, or with 30.
 /// @{
@@ -71,10 +79,14 @@ doctest::String toString(const Expectation& e);
 struct Claim
 {
   std::string got;        ///< The number that was compared.
-  std::string expected;   ///< What it was compared with.
+  std::string expected;   ///< What it was compared with; of a range, both ends.
   std::string tolerance;  ///< How far it might have been off.
   std::string because;    ///< Why so far.
+  double used = -1;       ///< What part of the tolerance was needed; negative where there is none.
 };
+
+/// Remembers a comparison for the ledger; take_last_claim() hands it out.
+void remember(Claim claim);
 
 /// The comparison made last in this thread, handed out once; empty strings where none was made since.
 Claim take_last_claim();

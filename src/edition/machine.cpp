@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -49,22 +51,34 @@ ordered_json entries(const Section& s, Kind kind)
     if(e.kind == kind)
       list.push_back({{"kind", name_of(e.kind)},
                       {"where", e.where},
-                      {"printed", e.printed.text},
+                      {"copy", e.copy.text},
                       {"right", e.right.text},
-                      {"because", e.because}});
+                      {"because", e.because},
+                      {"shown", e.shown == Shown::at_its_place}});
   return list;
 }
 
-ordered_json columns_of(const Table& t)
+/// Puts the reason why no claim looks at `key`, where one is declared.
+void excuse(ordered_json& j, const Said& said, const std::string& key)
+{
+  for(const auto& [name, reason] : said.illustrations)
+    if(key == name || key.starts_with(name + '.') || key.starts_with(name + '/'))
+      j["illustration"] = reason;
+}
+
+ordered_json columns_of(const Said& said, const Table& t)
 {
   auto list = ordered_json::array();
   for(const Column& c : t.columns)
+  {
     list.push_back(
         {{"name", c.name}, {"heading", c.heading}, {"unit", c.unit.symbol}, {"digits", c.digits}});
+    excuse(list.back(), said, t.name + '.' + c.name);
+  }
   return list;
 }
 
-ordered_json methods_of(const ToldRace& r)
+ordered_json methods_of(const Said& said, const ToldRace& r)
 {
   auto list = ordered_json::array();
   for(const ToldMethod& m : r.methods)
@@ -79,16 +93,19 @@ ordered_json methods_of(const ToldRace& r)
     {
       method["seconds"] = m.seconds;
       method["ratio"] = m.ratio;
+      method["spread"] = m.spread;
     }
+    excuse(method, said, r.name + '/' + m.name);
     list.push_back(std::move(method));
   }
   return list;
 }
 
-/// Writes `text` to `path` by way of a file beside it, so that nobody ever sees half of it.
+/// Writes `text` to `path` by way of a file beside it that is this process's own, so that nobody ever sees half
+/// of it, and several may write the same at once.
 void write_whole(const std::filesystem::path& path, const std::string& text)
 {
-  const std::filesystem::path part = path.string() + ".part";
+  const std::filesystem::path part = fmt::format("{}.{}.part", path.string(), getpid());
   std::ofstream out(part, std::ios::binary);
   out << text;
   out.close();
@@ -109,9 +126,10 @@ std::string tsv(const Table& t)
   for(const auto& row : t.rows)
     for(std::size_t i = 0; i < row.size(); ++i)
     {
-      const auto* x = std::get_if<double>(&row[i]);
-      const auto* n = std::get_if<long long>(&row[i]);
-      out += x ? show(*x, 17) : n ? fmt::format("{}", *n) : std::get<std::string>(row[i]);
+      const Cell cell = in_unit(row[i], t.columns[i]);
+      const auto* x = std::get_if<double>(&cell);
+      const auto* n = std::get_if<long long>(&cell);
+      out += x ? show(*x, 17) : n ? fmt::format("{}", *n) : std::get<std::string>(cell);
       out += i + 1 == row.size() ? '\n' : '\t';
     }
   return out;
@@ -131,37 +149,73 @@ std::string as_json(const Section& s)
                                {"default", number(p.default_shown)},
                                {"value", number(p.shown)},
                                {"range", allowed(p)},
+                               {"lo", number(in_unit(p.range.lo, p.unit))},
+                               {"hi", number(in_unit(p.range.hi, p.unit))},
+                               {"lo_open", p.range.lo_open},
+                               {"hi_open", p.range.hi_open},
+                               {"log", p.logarithmic},
                                {"meaning", p.meaning}});
-  for(const ToldValue& v : s.values)
+  for(const ToldValue& v : s.said.values)
   {
-    ordered_json value{
-        {"name", v.name}, {"value", any_number(v.number)}, {"unit", v.unit.symbol}, {"meaning", v.meaning}};
-    if(!v.digits.empty())
-      value["text"] = v.digits;
+    const auto* x = std::get_if<double>(&v.number);
+    ordered_json value{{"name", v.name},
+                       {"value", x ? number(in_unit(*x, v.unit)) : any_number(v.number)},
+                       {"unit", v.unit.symbol},
+                       {"meaning", v.meaning}};
+    if(x)
+      value["digits"] = v.digits;
+    if(!v.text.empty())
+      value["text"] = v.text;
+    excuse(value, s.said, v.name);
     j["values"].push_back(std::move(value));
   }
-  for(const auto& t : s.tables)
+  for(const auto& t : s.said.tables)
   {
     auto rows = ordered_json::array();
     for(const auto& row : t->rows)
     {
       rows.push_back(ordered_json::array());
-      for(const Cell& cell : row)
-        rows.back().push_back(any_number(cell));
+      for(std::size_t i = 0; i < row.size(); ++i)
+        rows.back().push_back(any_number(in_unit(row[i], t->columns[i])));
     }
     j["tables"].push_back(
-        {{"name", t->name}, {"caption", t->caption}, {"columns", columns_of(*t)}, {"rows", rows}});
+        {{"name", t->name}, {"caption", t->caption}, {"columns", columns_of(s.said, *t)}, {"rows", rows}});
   }
-  for(const ToldCurve& c : s.curves)
+  for(const ToldCurve& c : s.said.curves)
+  {
     j["curves"].push_back({{"name", c.name}, {"columns", c.columns}});
-  for(const ToldRace& r : s.races)
-    j["races"].push_back(
-        {{"name", r.name}, {"quantity", r.quantity}, {"exact", r.exact}, {"methods", methods_of(r)}});
+    excuse(j["curves"].back(), s.said, c.name);
+  }
+  for(const ToldRace& r : s.said.races)
+    j["races"].push_back({{"name", r.name},
+                          {"quantity", r.quantity},
+                          {"exact", r.exact.str(30)},
+                          {"methods", methods_of(s.said, r)}});
   j["errata"] = entries(s, Kind::erratum);
   j["emendations"] = entries(s, Kind::emendation);
   j["doubtful"] = entries(s, Kind::doubtful);
   j["undecided"] = entries(s, Kind::undecided);
-  return j.dump(2) + '\n';
+  return j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::vector<std::pair<std::string, std::string>> data_files(const Section& s)
+{
+  std::vector<std::pair<std::string, std::string>> files;
+  const auto file = [&](const std::string& name, const std::vector<std::string>& columns,
+                        const std::string& lines) {
+    files.emplace_back(fmt::format("{}.{}.tsv", s.program(), name),
+                       fmt::format("{}\n{}", fmt::join(columns, "\t"), lines));
+  };
+  for(const auto& t : s.said.tables)
+  {
+    std::vector<std::string> names;
+    for(const Column& c : t->columns)
+      names.push_back(c.name);
+    file(t->name, names, tsv(*t));
+  }
+  for(const ToldCurve& c : s.said.curves)
+    file(c.name, c.columns, c.lines);
+  return files;
 }
 
 std::string write_data(const Section& s, const std::string& folder)
@@ -171,21 +225,12 @@ std::string write_data(const Section& s, const std::string& folder)
   if(failed)
     throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder, failed.message()));
   std::string written;
-  const auto write = [&](const std::string& name, const std::vector<std::string>& columns,
-                         const std::string& lines) {
-    const auto path = std::filesystem::path(folder) / fmt::format("{}.{}.tsv", s.program(), name);
-    write_whole(path, fmt::format("{}\n{}", fmt::join(columns, "\t"), lines));
-    written += path.string() + '\n';
-  };
-  for(const auto& t : s.tables)
+  for(const auto& [name, content] : data_files(s))
   {
-    std::vector<std::string> names;
-    for(const Column& c : t->columns)
-      names.push_back(c.name);
-    write(t->name, names, tsv(*t));
+    const auto path = std::filesystem::path(folder) / name;
+    write_whole(path, content);
+    written += path.string() + '\n';
   }
-  for(const ToldCurve& c : s.curves)
-    write(c.name, c.columns, c.lines);
   return written;
 }
 

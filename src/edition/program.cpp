@@ -41,6 +41,27 @@ std::string allowed_for(const Section& s, const std::string& option)
   return "a folder";
 }
 
+/// What CLI11 would take in silence: a value for an option that has none, and an empty value, for which it takes
+/// the next argument.
+void refuse_odd_equations(const Section& s, const std::vector<std::string>& arguments)
+{
+  for(const std::string& argument : arguments)
+  {
+    const auto equals = argument.find('=');
+    if(!argument.starts_with("--") || equals == std::string::npos)
+      continue;
+    const std::string option = argument.substr(0, equals);
+    const std::string value = argument.substr(equals + 1);
+    for(const char* flag : {"--json", "--check", "--bench", "--help", "--version"})
+      if(option == flag)
+        throw BadInput(fmt::format("{}: \"{}\" is a value for what has none; allowed: {} alone", option,
+                                   on_one_line(value), option));
+    if(value.empty())
+      throw BadInput(
+          fmt::format("{}: \"\" is no value; allowed: {}", on_one_line(option), allowed_for(s, option)));
+  }
+}
+
 Request parse(Section& s, std::vector<std::string> arguments)
 {
   Request r;
@@ -49,6 +70,7 @@ Request parse(Section& s, std::vector<std::string> arguments)
     r.for_doctest.assign(dashes + 1, arguments.end());
     arguments.erase(dashes, arguments.end());
   }
+  refuse_odd_equations(s, arguments);
   CLI::App app{fmt::format("{} §{}. {}", s.chapter, s.number, s.title), s.program()};
   app.set_help_flag("--help", "say this and end");
   app.set_version_flag("--version",
@@ -64,7 +86,9 @@ Request parse(Section& s, std::vector<std::string> arguments)
   app.add_flag("--check", r.check,
                "run the checks; what follows -- goes to doctest; exit status 1 when one fails");
   app.add_flag("--bench", r.bench, "time the several ways to one number against each other");
-  app.add_option("--data", r.data, "write the figures' data into this folder")->type_name("DIR");
+  auto* const data = app.add_option("--data", r.data, "write the figures' data into this folder")
+                         ->type_name("DIR")
+                         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.allow_extras();
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector from its end
   try
@@ -82,17 +106,24 @@ Request parse(Section& s, std::vector<std::string> arguments)
   catch(const CLI::ArgumentMismatch& e)  // "--zeta: ...": its value is missing
   {
     const std::string option = std::string(e.what()).substr(0, std::string(e.what()).find(':'));
-    throw BadInput(fmt::format("{}: \"\" is no value; allowed: {}", option, allowed_for(s, option)));
+    throw BadInput(
+        fmt::format("{}: \"\" is no value; allowed: {}", on_one_line(option), allowed_for(s, option)));
   }
   catch(const CLI::ParseError& e)
   {
-    throw BadInput(fmt::format("{}; allowed: what --help lists", e.what()));
+    throw BadInput(fmt::format("{}; allowed: what --help lists", on_one_line(e.what())));
   }
   if(const auto unknown = app.remaining(); !unknown.empty())
     throw BadInput(fmt::format("{}: \"{}\" is not known here; allowed: what --help lists",
-                               unknown.front().starts_with('-') ? "option" : "argument", unknown.front()));
+                               unknown.front().starts_with('-') ? "option" : "argument",
+                               on_one_line(unknown.front())));
   if(!r.for_doctest.empty() && !r.check)
-    throw BadInput(fmt::format("-- \"{}\": arguments for doctest without --check", r.for_doctest.front()));
+    throw BadInput(fmt::format("-- \"{}\": arguments for doctest without --check; allowed: after --check",
+                               on_one_line(r.for_doctest.front())));
+  if(data->count() > 1)
+    throw BadInput(fmt::format("--data: given {} times; allowed: once", data->count()));
+  if(data->count() > 0 && r.data.empty())
+    throw BadInput("--data: \"\" is no value; allowed: a folder");
   if(r.check + r.bench + !r.data.empty() > 1)
     throw BadInput("--check, --bench, --data: more than one given; allowed: one of them");
   return r;
@@ -100,16 +131,16 @@ Request parse(Section& s, std::vector<std::string> arguments)
 
 void take_parameters(Section& s, const Request& r)
 {
-  for(ParameterEntry& p : s.parameters)
+  std::vector<std::pair<std::string, std::string>> once;
+  for(const auto& [name, given] : r.given)
   {
-    const std::vector<std::string>& given = r.given.at(p.name);
     if(given.size() > 1)
-      throw BadInput(fmt::format("--{}: given {} times (\"{}\"); allowed: once", p.name, given.size(),
-                                 fmt::join(given, "\", \"")));
+      throw BadInput(fmt::format("--{}: given {} times (\"{}\"); allowed: once", name, given.size(),
+                                 on_one_line(fmt::format("{}", fmt::join(given, "\", \"")))));
     if(!given.empty())
-      set_parameter(p, given.front());
+      once.emplace_back(name, given.front());
   }
-  reconcile_amplitude(s);
+  set_parameters(s, once);
 }
 
 /// All of `text`, or an exception: standard output may be a full disk.
@@ -134,14 +165,21 @@ int answer(Section& s, const std::vector<std::string>& arguments)
     say(result.report);
     return result.passed ? 0 : 1;
   }
-  s.wanted = {!r.data.empty(), r.bench};
-  for(const auto tell_block : s.telling)
-    tell_block();
-  if(s.wanted.data)
-    say(write_data(s, r.data));
-  else
-    say(r.json ? as_json(s) : r.bench ? races_as_text(s) : as_text(s));
+  const bool data = !r.data.empty();
+  tell_anew(s, {data, r.bench});
+  const std::string written = data ? write_data(s, r.data) : "";
+  say(r.json ? as_json(s) : data ? written : r.bench ? races_as_text(s) : as_text(s));
   return 0;
+}
+
+/// One line on standard error. Where that is closed or full the exit status alone must say it.
+int complain(const std::string& program, const std::string& what, int status)
+{
+  std::string line = program + ": " + what;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  line += '\n';
+  std::fwrite(line.data(), 1, line.size(), stderr);
+  return status;
 }
 
 }  // namespace
@@ -150,21 +188,18 @@ int main(int argc, char** argv)
 {
   gsl_set_error_handler_off();  // GSL's own handler ends the program; its functions' status and NaN say enough
   Section& s = section();
-  const auto complain = [&s](const std::exception& e) {
-    fmt::print(stderr, "{}: {}\n", s.program(), e.what());
-  };
+  if(!s.faults.empty())
+    return complain(s.program(), s.faults.front(), 1);
   try
   {
     return answer(s, {argv + 1, argv + argc});
   }
   catch(const BadInput& e)
   {
-    complain(e);
-    return 2;
+    return complain(s.program(), e.what(), 2);
   }
   catch(const std::exception& e)
   {
-    complain(e);
-    return 1;
+    return complain(s.program(), e.what(), 1);
   }
 }

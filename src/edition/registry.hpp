@@ -2,9 +2,13 @@
 /// What a section has declared and told, as the program's faces (text, JSON, data, checks, races) see it.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -32,23 +36,30 @@ struct ParameterEntry
   std::string name;
   Type type;
   Unit unit;
-  Range range;           ///< In the program's unit.
-  double default_shown;  ///< In `unit`.
+  Range range;     ///< In the program's unit.
+  Fifty exact_lo;  ///< The ends of the range as they are written.
+  Fifty exact_hi;  ///< See exact_lo.
   std::string meaning;
-  double value;         ///< In the program's unit: radians for an angle.
-  double shown;         ///< In `unit`.
-  bool shown_is_exact;  ///< True where `shown` is the number and `value` its rounding.
-  std::string given;    ///< What the reader wrote; empty if nothing.
+  bool logarithmic;      ///< Whether a hand that slides it wants a logarithmic scale.
+  Fifty exact_default;   ///< In the program's unit.
+  double default_shown;  ///< In `unit`.
+
+  Fifty exact;        ///< In the program's unit: radians for an angle.
+  double value;       ///< `exact`, rounded.
+  double shown;       ///< In `unit`.
+  std::string given;  ///< What the reader wrote; empty if nothing.
 };
 
-/// A value as told. `number` is in `unit`.
+/// A value as told, in the program's unit.
 struct ToldValue
 {
   std::string name;
   std::variant<double, long long, std::string> number;
-  std::string digits;  ///< More digits than a double has, where the value has them.
+  Fifty exact;       ///< The number with all its digits; zero for a text.
+  std::string text;  ///< The number with more digits than a double has, or as a fraction; empty if neither.
   Unit unit;
   std::string meaning;
+  int digits;  ///< Significant digits that are shown.
 };
 
 /// Data of a figure: tab-separated lines, empty unless data were asked for.
@@ -57,6 +68,7 @@ struct ToldCurve
   std::string name;
   std::vector<std::string> columns;
   std::string lines;
+  std::vector<std::vector<double>> points;
 };
 
 /// One way to a number, with its error and, where the race was run, its time.
@@ -69,6 +81,7 @@ struct ToldMethod
   double relative;
   double seconds;  ///< Median time of an evaluation; NaN unless timed.
   double ratio;    ///< Median over rounds of its time against the first method's; NaN unless timed.
+  double spread;   ///< Half the distance of the ratio's quartiles, relative to it; NaN unless timed.
 };
 
 /// Several ways to one number.
@@ -76,8 +89,19 @@ struct ToldRace
 {
   std::string name;
   std::string quantity;
-  std::string exact;
+  Fifty exact;
   std::vector<ToldMethod> methods;
+};
+
+/// What a telling came to.
+struct Said
+{
+  std::vector<ToldValue> values;
+  std::vector<std::unique_ptr<Table>> tables;
+  std::vector<ToldCurve> curves;
+  std::vector<ToldRace> races;
+  std::vector<std::pair<std::string, std::string>> illustrations;  ///< What no claim looks at, and why.
+  bool has_data = false;                                           ///< Whether the curves were drawn.
 };
 
 /// What this run is asked for beyond the telling itself.
@@ -87,45 +111,63 @@ struct Wanted
   bool timing = false;
 };
 
-/// The section of this program.
+/// A section of this program.
 struct Section
 {
   std::string chapter;
   int number = 0;
   std::string title;
+  std::vector<std::string> faults;  ///< What was declared wrongly, with its place.
   std::vector<ParameterEntry> parameters;
   std::vector<Entry> apparatus;
-  bool has_amplitude = false;
   std::vector<void (*)()> telling;  ///< The TELL blocks, in the file's order.
   Wanted wanted;
-
-  std::vector<ToldValue> values;
-  std::vector<std::unique_ptr<Table>> tables;
-  std::vector<ToldCurve> curves;
-  std::vector<ToldRace> races;
+  Said said;  ///< What was told last.
 
   /// `pendulum.11`
   std::string id() const;
   /// `pendulum-11`
   std::string program() const;
+  /// `pendulum/s11.cpp`
+  std::string file() const;
 };
 
-/// The one section of this program, filled while its file's objects are constructed and while it tells.
+/// The sections of this program, in the order in which their files were begun. A section's own program has one.
+std::vector<std::unique_ptr<Section>>& sections();
+/// The section that declarations, parameters and tellings concern now: the one begun last, until choose().
 Section& section();
+/// Makes `s` that section.
+void choose(Section& s);
 
 /// Takes what the reader wrote for parameter `p`: a finite number in range, else BadInput.
 void set_parameter(ParameterEntry& p, const std::string& text);
+/// Gives parameter `p` its default again.
+void reset_parameter(ParameterEntry& p);
 /// What parameter `p` may be, in words.
 std::string allowed(const ParameterEntry& p);
 /// Makes ζ and η agree once both have been read; BadInput if the reader contradicts himself.
 void reconcile_amplitude(Section& s);
+/// Gives all parameters their defaults but for these, by name; BadInput if one is unknown or refused.
+void set_parameters(Section& s, const std::vector<std::pair<std::string, std::string>>& given);
 
+/// Has the section tell: what it said before is forgotten.
+void tell_anew(Section& s, Wanted wanted);
+
+/// A number of the program's unit in `unit`.
+double in_unit(double x, const Unit& unit);
+/// A cell in its column's unit.
+Cell in_unit(const Cell& cell, const Column& column);
 /// A number with up to `digits` significant digits, as text and tables show it.
 std::string show(double x, int digits);
 /// A number with its unit behind it.
 std::string with_unit(std::string number, const Unit& unit);
+/// Someone's words as they can stand on one line: controls and broken bytes escaped, the middle of long ones
+/// left out.
+std::string on_one_line(const std::string& words);
 /// The entry's kind, as text and JSON call it.
 const char* name_of(Kind kind);
+/// Whether a name may stand for a parameter, a value, a table or a column: a letter, then letters, digits and _.
+bool is_name(const std::string& name);
 
 /// The section's text, as a person reads it.
 std::string as_text(const Section& s);
@@ -133,9 +175,35 @@ std::string as_text(const Section& s);
 std::string as_json(const Section& s);
 /// The races alone, as a person reads them.
 std::string races_as_text(const Section& s);
-/// Writes tables and curves as TSV files into `folder`, each complete or not at all; returns their
-/// paths one a line. Throws std::runtime_error when it cannot.
+/// Tables and curves as tab-separated files: name and content.
+std::vector<std::pair<std::string, std::string>> data_files(const Section& s);
+/// Writes data_files() into `folder`, each complete or not at all; returns their paths one a line. Throws
+/// std::runtime_error when it cannot.
 std::string write_data(const Section& s, const std::string& folder);
+
+/// What the claims of a check run have looked at.
+struct Looked
+{
+  std::set<std::size_t> cases;          ///< The checks, from 1.
+  std::map<std::string, int> settings;  ///< How many claims at each setting.
+  bool infinite = false;                ///< Whether it was claimed to be infinite.
+};
+/// By name: `T_over_Theta`, `rows.ratio` (also of a curve), `period/AGM`, `period/exact`.
+using Coverage = std::map<std::string, Looked>;
+
+/// One check run's memory of what was told at which setting, and looked at.
+struct Ledger
+{
+  std::vector<ParameterEntry> own;   ///< The reader's parameters.
+  std::map<std::string, Said> said;  ///< By setting.
+  Coverage coverage;
+  std::string setting;           ///< Where the claims now being made are made.
+  std::size_t current_case = 0;  ///< The check that now runs, from 1.
+};
+/// The ledger of the check run under way.
+Ledger& ledger();
+/// What is told at the defaults and no claim looks at enough, in words.
+std::vector<std::string> uncovered(Section& s);
 
 /// Runs the checks, with arguments for doctest, and says what came of them as text or JSON.
 struct CheckResult
@@ -143,6 +211,6 @@ struct CheckResult
   bool passed;
   std::string report;
 };
-CheckResult run_checks(const Section& s, const std::vector<std::string>& doctest_arguments, bool json);
+CheckResult run_checks(Section& s, const std::vector<std::string>& doctest_arguments, bool json);
 
 }  // namespace edition

@@ -95,10 +95,10 @@ std::string lines(const std::vector<Line>& all)
 
 std::string shown(const ToldValue& v)
 {
-  if(!v.digits.empty())
-    return v.digits;
+  if(!v.text.empty())
+    return v.text;
   if(const auto* x = std::get_if<double>(&v.number))
-    return with_unit(show(*x, 12), v.unit);
+    return with_unit(show(in_unit(*x, v.unit), v.digits), v.unit);
   if(const auto* i = std::get_if<long long>(&v.number))
     return fmt::format("{}", *i);
   return std::get<std::string>(v.number);
@@ -151,7 +151,7 @@ std::string as_grid(const Table& t)
   {
     cells.emplace_back();
     for(std::size_t i = 0; i < row.size(); ++i)
-      cells.back().push_back(shown(row[i], t.columns[i].digits));
+      cells.back().push_back(shown(in_unit(row[i], t.columns[i]), t.columns[i].digits));
   }
   return wrapped(t.caption, 0, 0) + grid(headings, cells, words);
 }
@@ -162,9 +162,9 @@ std::string with_prefix(double time)
     return "";
   constexpr std::array scales{std::pair{1e-9, "ns"}, std::pair{1e-6, "µs"}, std::pair{1e-3, "ms"}};
   for(const auto& [scale, symbol] : scales)
-    if(time < 1000 * scale)
-      return fmt::format("{:.3g} {}", time / scale, symbol);
-  return fmt::format("{:.3g} s", time);
+    if(time < 995 * scale)
+      return fmt::format("{:.2g} {}", time / scale, symbol);
+  return fmt::format("{:.2g} s", time);
 }
 
 std::string as_grid(const ToldRace& r)
@@ -179,7 +179,7 @@ std::string as_grid(const ToldRace& r)
     if(timed)
     {
       cells.back().push_back(with_prefix(m.seconds));
-      cells.back().push_back(fmt::format("{:.3g}", m.ratio));
+      cells.back().push_back(fmt::format("{:.2g} ± {:.0f} %", m.ratio, 100 * m.spread));
     }
   }
   std::vector<std::string> headings{"way", "value", "error [ulp]", "relative error"};
@@ -189,7 +189,8 @@ std::string as_grid(const ToldRace& r)
     headings.insert(headings.end(), {"time", "ratio"});
     words.insert(words.end(), {false, false});
   }
-  return wrapped(fmt::format("{}, exactly {}", r.quantity, r.exact), 0, 0) + grid(headings, cells, words);
+  return wrapped(fmt::format("{}, to 30 digits {}", r.quantity, r.exact.str(30)), 0, 0)
+         + grid(headings, cells, words);
 }
 
 }  // namespace
@@ -203,33 +204,20 @@ std::string as_text(const Section& s)
   if(!parameters.empty())
     out += '\n' + lines(parameters);
   std::vector<Line> values;
-  for(const ToldValue& v : s.values)
+  for(const ToldValue& v : s.said.values)
     values.push_back({v.name, shown(v), v.meaning});
   if(!values.empty())
     out += '\n' + lines(values);
-  for(const auto& t : s.tables)
+  for(const auto& t : s.said.tables)
     out += '\n' + as_grid(*t);
-  if(!s.races.empty())
-    out += '\n' + races_as_text(s);
-  for(const Entry& e : s.apparatus)
-  {
-    if(&e == &s.apparatus.front())
-      out += '\n';
-    const std::string head = fmt::format("  {}: {}: ", name_of(e.kind), e.where);
-    const bool open = e.kind == Kind::undecided;
-    out += head
-           + wrapped(fmt::format("{} {}, {} {}: {}", open ? "either" : "printed", e.printed.text,
-                                 open ? "or" : "right", e.right.text, e.because),
-                     width(head), 4);
-  }
   return out;
 }
 
 std::string races_as_text(const Section& s)
 {
   std::string out;
-  for(const ToldRace& r : s.races)
-    out += (&r == &s.races.front() ? "" : "\n") + as_grid(r);
+  for(const ToldRace& r : s.said.races)
+    out += (out.empty() ? "" : "\n") + as_grid(r);
   return out.empty() ? "nothing here has more than one way to its number\n" : out;
 }
 

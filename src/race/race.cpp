@@ -34,6 +34,14 @@ double median(std::vector<double> x)
   return x.size() % 2 == 1 ? x[half] : (x[half - 1] + x[half]) / 2;
 }
 
+// Half of what lies between the quartiles, as a part of the median.
+double spread(std::vector<double> x)
+{
+  std::sort(x.begin(), x.end());
+  const std::size_t quarter = x.size() / 4;
+  return (x[x.size() - 1 - quarter] - x[quarter]) / 2 / median(x);
+}
+
 }  // namespace
 
 std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
@@ -65,7 +73,7 @@ std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
     for(std::size_t round = 0; round < times[i].size(); ++round)
       ratios.push_back(times[i][round] / times[0][round]);
     const double fastest = *std::min_element(times[i].begin(), times[i].end());
-    timings.push_back({entrants[i].name, median(times[i]), fastest, median(ratios)});
+    timings.push_back({entrants[i].name, median(times[i]), fastest, median(ratios), spread(ratios)});
   }
   return timings;
 }

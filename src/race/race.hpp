@@ -37,6 +37,7 @@ struct Timing
   double seconds;    ///< per evaluation, the median over the rounds
   double fastest;    ///< per evaluation, in the best round
   double ratio;      ///< its time over that of entrant 0, the median over the rounds
+  double spread;     ///< half the distance of that ratio's quartiles, as a part of it
 };
 
 /// Times the entrants in interleaved rounds; the one who begins changes from round to round. Each is first

@@ -1,0 +1,224 @@
+// What a section says, as it says it.
+
+#include "edition/tell.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "edition/registry.hpp"
+#include "race/race.hpp"
+
+namespace edition
+{
+namespace
+{
+
+[[noreturn]] void fault(const std::string& what)
+{
+  throw std::logic_error(fmt::format("chapters/{}: {}", section().file(), what));
+}
+
+void must_be_a_name(const char* what, const std::string& name)
+{
+  if(!is_name(name))
+    fault(
+        fmt::format("the {} \"{}\" must be a letter, then letters, digits and _", what, on_one_line(name)));
+}
+
+/// Values, parameters, tables and curves are all called by their names alone.
+void must_be_new(const std::string& name)
+{
+  const Said& said = section().said;
+  const auto named = [&name](const auto& x) { return x.name == name; };
+  const bool taken =
+      std::any_of(section().parameters.begin(), section().parameters.end(), named)
+      || std::any_of(said.values.begin(), said.values.end(), named)
+      || std::any_of(said.tables.begin(), said.tables.end(), [&](const auto& t) { return named(*t); })
+      || std::any_of(said.curves.begin(), said.curves.end(), named);
+  if(taken)
+    fault(fmt::format("two things are named \"{}\"", name));
+}
+
+void must_be_columns(const std::string& of, const std::vector<std::string>& names)
+{
+  for(auto name = names.begin(); name != names.end(); ++name)
+  {
+    must_be_a_name("column", *name);
+    if(std::find(names.begin(), name, *name) != name)
+      fault(fmt::format("two columns of \"{}\" are named \"{}\"", of, *name));
+  }
+}
+
+void must_be_a_line(const std::string& what, const std::string& text)
+{
+  if(std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < ' '; }))
+    fault(fmt::format("{} has a line break or a tab", what));
+}
+
+void told(ToldValue value)
+{
+  must_be_a_name("value", value.name);
+  must_be_new(value.name);
+  must_be_a_line(fmt::format("the meaning of \"{}\"", value.name), value.meaning);
+  section().said.values.push_back(std::move(value));
+}
+
+}  // namespace
+
+void tell(const char* name, double value, Unit unit, const char* meaning, int digits)
+{
+  told({name, value, Fifty(value), "", unit, meaning, digits});
+}
+
+void tell(const char* name, int value, const char* meaning)
+{
+  tell(name, static_cast<long long>(value), meaning);
+}
+
+void tell(const char* name, long long value, const char* meaning)
+{
+  told({name, value, Fifty(value), "", none, meaning, 20});
+}
+
+void tell(const char* name, const std::string& value, const char* meaning)
+{
+  must_be_a_line(fmt::format("the text \"{}\"", name), value);
+  told({name, value, Fifty(), "", none, meaning, 0});
+}
+
+void tell(const char* name, const Fifty& value, const char* meaning, int digits)
+{
+  told({name, static_cast<double>(value), value, value.str(digits), none, meaning, digits});
+}
+
+void tell(const char* name, const Rational& value, const char* meaning)
+{
+  told({name, static_cast<double>(value), static_cast<Fifty>(value), value.str(), none, meaning, 17});
+}
+
+Table::Table(std::string its_name, std::string its_caption, std::vector<Column> its_columns)
+    : name(std::move(its_name)), caption(std::move(its_caption)), columns(std::move(its_columns))
+{
+}
+
+void Table::row(std::vector<Cell> cells)
+{
+  if(cells.size() != columns.size())
+    fault(fmt::format("table {}: {} cells for {} columns", name, cells.size(), columns.size()));
+  for(const Cell& cell : cells)
+    if(const auto* words = std::get_if<std::string>(&cell))
+      must_be_a_line(fmt::format("table {}: a cell", name), *words);
+  rows.push_back(std::move(cells));
+}
+
+Table& table(const char* name, const char* caption, std::vector<Column> columns)
+{
+  must_be_a_name("table", name);
+  must_be_new(name);
+  std::vector<std::string> names;
+  for(const Column& c : columns)
+    names.push_back(c.name);
+  must_be_columns(name, names);
+  section().said.tables.push_back(std::make_unique<Table>(name, caption, std::move(columns)));
+  return *section().said.tables.back();
+}
+
+Cell in_unit(const Cell& cell, const Column& column)
+{
+  if(const auto* x = std::get_if<double>(&cell))
+    return in_unit(*x, column.unit);
+  return cell;
+}
+
+void Curve::put(const std::vector<double>& numbers)
+{
+  if(numbers.size() != columns_.size())
+    fault(fmt::format("a curve of {} columns got a point of {}", columns_.size(), numbers.size()));
+  for(std::size_t i = 0; i < numbers.size(); ++i)
+    text_ += (i == 0 ? "" : "\t") + show(numbers[i], 17);
+  text_ += '\n';
+  points_.push_back(numbers);
+}
+
+void Curve::block()
+{
+  text_ += fmt::format("\n\n{}\n", fmt::join(columns_, "\t"));
+}
+
+void curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw)
+{
+  must_be_a_name("curve", name);
+  must_be_new(name);
+  must_be_columns(name, columns);
+  Curve under_way(columns);
+  if(section().wanted.data)
+    draw(under_way);
+  section().said.curves.push_back({name, std::move(columns), under_way.text(), under_way.points()});
+}
+
+void race(const char* name, const char* quantity, const Fifty& exact, const std::vector<Method>& methods)
+{
+  must_be_a_name("race", name);
+  if(methods.empty() || !isfinite(exact) || exact == Fifty(0))
+    fault(fmt::format(
+        "the race \"{}\" needs ways, and a number to be judged by that is neither 0 nor infinite", name));
+  ToldRace told_race{name, quantity, exact, {}};
+  std::vector<::race::Entrant> entrants;
+  constexpr std::size_t evaluations = 64;  // enough that the clock is not what is measured
+  for(const Method& m : methods)
+  {
+    const double value = m.evaluate();
+    const double relative = static_cast<double>(abs((Fifty(value) - exact) / exact));
+    told_race.methods.push_back(
+        {m.name, m.family, value, exact::ulps(value, exact), relative, NAN, NAN, NAN});
+    entrants.push_back({m.name,
+                        [&m] {
+                          for(std::size_t i = 0; i < evaluations; ++i)
+                            ::race::keep(m.evaluate());
+                        },
+                        evaluations});
+  }
+  if(section().wanted.timing)
+  {
+    const auto timings = ::race::run(entrants);
+    for(std::size_t i = 0; i < timings.size(); ++i)
+    {
+      told_race.methods[i].seconds = timings[i].seconds;
+      told_race.methods[i].ratio = timings[i].ratio;
+      told_race.methods[i].spread = timings[i].spread;
+    }
+  }
+  section().said.races.push_back(std::move(told_race));
+}
+
+void illustration(const char* name, const char* reason)
+{
+  section().said.illustrations.emplace_back(name, reason);
+}
+
+void tell_anew(Section& s, Wanted wanted)
+{
+  choose(s);
+  s.said = Said{};
+  s.said.has_data = wanted.data;
+  s.wanted = wanted;
+  for(const auto tell_block : s.telling)
+    tell_block();
+}
+
+std::string with_unit(std::string number, const Unit& unit)
+{
+  const std::string symbol = unit.symbol;
+  if(!symbol.empty())
+    number += symbol == "°" || symbol == "′" || symbol == "″" ? symbol : " " + symbol;
+  return number;
+}
+
+std::string show(double x, int digits)
+{
+  return std::isnan(x) ? "nan" : fmt::format("{:.{}g}", x, digits);  // a NaN's sign says nothing
+}
+
+}  // namespace edition

@@ -1,0 +1,138 @@
+// The teller: how a parameter is read, how a name is judged, how words are put on a line, and what a comparison remembers.
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "edition/registry.hpp"
+
+using namespace edition;
+
+namespace
+{
+
+/// A section of its own, with the parameters of these tests.
+Section& scene()
+{
+  static const Identity who{"pendulum", 99, "A section for the tests"};
+  [[maybe_unused]] static const AmplitudeParameter pair = amplitude(90_deg, closed(0_deg, 180_deg));
+  [[maybe_unused]] static const Parameter<double> b = real("b", 0.1, metres, scale, "a length");
+  [[maybe_unused]] static const Parameter<int> n = integer("n", 5, 1, 9, "a number of terms");
+  choose(*sections().front());
+  return section();
+}
+
+const ParameterEntry& parameter(Section& s, const std::string& name)
+{
+  for(const ParameterEntry& p : s.parameters)
+    if(p.name == name)
+      return p;
+  throw std::logic_error("no such parameter");
+}
+
+std::string refusal(const std::string& name, const std::string& text)
+{
+  try
+  {
+    set_parameters(scene(), {{name, text}});
+  }
+  catch(const BadInput& e)
+  {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a number is carried as it was written, and the double is its rounding")
+{
+  Section& s = scene();
+  set_parameters(s, {{"zeta", "179.999999999"}, {"b", "0.3"}});
+  const Fifty eta = Fifty("0.000000001") * exact::pi() / 180;
+  CHECK(abs(parameter(s, "eta").exact - eta) < Fifty("1e-47"));
+  CHECK(parameter(s, "eta").value == static_cast<double>(eta));
+  CHECK(parameter(s, "b").exact == Fifty("0.3"));
+  CHECK(parameter(s, "b").value == 0.3);
+  set_parameters(s, {{"eta", "1e-300rad"}});
+  CHECK(parameter(s, "eta").exact == Fifty("1e-300"));
+  CHECK(parameter(s, "zeta").value == std::numbers::pi);
+  set_parameters(s, {{"zeta", "-0"}});
+  CHECK(!std::signbit(parameter(s, "zeta").value));
+}
+
+TEST_CASE("defaults come back, and the ends of a range belong to it")
+{
+  Section& s = scene();
+  set_parameters(s, {{"b", "2"}, {"n", "9"}});
+  CHECK(parameter(s, "n").value == 9);
+  set_parameters(s, {});
+  CHECK(parameter(s, "b").exact == Fifty("0.1"));
+  CHECK(parameter(s, "n").value == 5);
+  for(const char* end : {"0", "180", "3.141592653589793rad"})
+    CHECK(refusal("zeta", end).empty());
+  for(const char* end : {"1e-100", "1e100"})
+    CHECK(refusal("b", end).empty());
+}
+
+TEST_CASE("what is no number of the range is refused in words that help")
+{
+  const auto says = [](const char* name, const char* text, const char* words) {
+    return refusal(name, text).find(words) != std::string::npos;
+  };
+  CHECK(says("zeta", "60,5", "write a point for the comma"));
+  CHECK(says("zeta", "\u221260", "typographic"));
+  CHECK(says("zeta", "1e400", "not a finite number for a double"));
+  CHECK(says("zeta", "1e99999999999", "not a finite number for a double"));
+  CHECK(says("zeta", "1e-400", "too small for a double"));
+  CHECK(says("zeta", "inf", "not a finite number"));
+  CHECK(says("zeta", "180.0000001", "out of range"));
+  CHECK(says("b", "0", "out of range"));
+  CHECK(says("b", "9.9e-101", "out of range"));
+  CHECK(says("n", "2.5", "whole"));
+  CHECK(says("nothing", "1", "no parameter"));
+  for(const char* odd : {"", "e5", "1e", "--1", "0x10", "1 2", ".", "+", "1rad2"})
+    CHECK(says("b", odd, "is not a number"));
+  CHECK_THROWS_AS(set_parameters(scene(), {{"zeta", "60"}, {"eta", "60"}}), BadInput);
+}
+
+TEST_CASE(
+    "someone's words stand on one line, broken bytes and controls escaped, the rest of long ones left out")
+{
+  CHECK(on_one_line("1\n2") == "1\\x0a2");
+  CHECK(on_one_line("\x1b[31m") == "\\x1b[31m");
+  CHECK(on_one_line("\xff\xc3") == "\\xff\\xc3");
+  CHECK(on_one_line("ζ = 60°") == "ζ = 60°");
+  CHECK(on_one_line(std::string(100000, 'x')).size() < 100);
+}
+
+TEST_CASE("degrees as written are the radians nearest to them")
+{
+  CHECK(5_deg == static_cast<double>(exact::pi() / 36));
+  CHECK(0.1_deg == static_cast<double>(Fifty("0.1") * exact::pi() / 180));
+  CHECK(179.9_deg == static_cast<double>(Fifty("179.9") * exact::pi() / 180));
+  CHECK(1e-9_deg == static_cast<double>(Fifty("1e-9") * exact::pi() / 180));
+  CHECK(180_deg == std::numbers::pi);
+}
+
+TEST_CASE("a comparison remembers what it used of its tolerance, and an infinity is met by itself alone")
+{
+  CHECK(1.5 == within(1, 1.0, "half of it"));
+  CHECK(take_last_claim().used == 0.5);
+  CHECK_FALSE(2.5 == within(1, 1.0, "beyond"));
+  CHECK(take_last_claim().used == 1.5);
+  CHECK(2.0 == between(1, 3, "the middle"));
+  CHECK(take_last_claim().expected == "1 … 3");
+  const double beyond = std::numeric_limits<double>::infinity();
+  CHECK(beyond == infinite("itself"));
+  CHECK_FALSE(1e308 == infinite("a number"));
+  CHECK(beyond == within_ulps(Fifty(beyond), 1, "itself"));
+  CHECK_FALSE(std::nan("") == within(1, 1e300, "no number"));
+  CHECK_FALSE(1.0 == within(Fifty(std::nan("")), 1e300, "no number is expected"));
+}
+
+TEST_CASE("names are letters, digits and _")
+{
+  CHECK(is_name("T_over_Theta2"));
+  for(const char* odd : {"", "2a", "_a", "a-b", "a b", "μ", "../x"})
+    CHECK_FALSE(is_name(odd));
+}
