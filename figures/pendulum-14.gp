@@ -11,4 +11,4 @@ set label "1°" at 1.1, 800 textcolor linetype 1
 set label "5°" at 5.4, 150 textcolor linetype 1
 set label "½ : sin ½ψ" at 0.25, 120 right textcolor linetype 2
 plot tsv("pendulum-14.limit") using "psi":"element" with lines linetype 2 dashtype (6, 4), \
-     tsv("pendulum-14.element") using "psi":"element" with lines linetype 1
+     tsv("pendulum-14.elements") using "psi":"element" with lines linetype 1

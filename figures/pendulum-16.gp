@@ -9,5 +9,5 @@ set ylabel "part missing"
 set label "5°" at 5e-3, 16.4 left textcolor linetype 2
 set label "1°" at 1.4e-3, 12.2 left textcolor linetype 2
 set label "1 %" at 6e-30, 3.2 center textcolor linetype 2
-plot tsv("pendulum-16.part") using "eta":(100 * column("part")) with lines linetype 2, \
+plot tsv("pendulum-16.parts") using "eta":(100 * column("part")) with lines linetype 2, \
      tsv("pendulum-16.examples") using "eta":(100 * column("part")) with points linetype 2 pointtype 7 pointsize 0.8

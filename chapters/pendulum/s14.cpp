@@ -58,16 +58,16 @@ Real element(Real psi, Real eta)  // (4), without dψ
 One difference is left, and just after the start, where $\psi$ is hardly more than $\eta$, it is again one
 of nearly equal numbers. But it is a product,
 
-$$ \sin^2\tfrac12\psi - \sin^2\tfrac12\eta = \sin\tfrac12(\psi+\eta)\,\sin\tfrac12(\psi-\eta), \tag{5} $$
+$$ \sin^2\tfrac12\psi - \sin^2\tfrac12\eta = \sin\tfrac12(\psi+\eta)\,\sin\tfrac12(\psi-\eta), \tag{A} $$
 
 and if the way already gone, $\psi - \eta$, is what is given, nothing is lost at all.
 */
 
 template <class Real>
-Real element_of_way(Real way, Real eta)  // (4) by (5); way = ψ − η
+Real element_of_way(Real way, Real eta)  // (4) by (A); way = ψ − η
 {
   using std::sin, std::sqrt;
-  return 1 / (2 * sqrt(sin(eta + way / 2) * sin(way / 2)));
+  return 1 / (2 * sqrt(sin(eta + way / 2)) * sqrt(sin(way / 2)));  // a root each: the product may vanish
 }
 
 const auto swing_ = amplitude_from_top(0.1_deg);
@@ -75,20 +75,21 @@ const auto psi = angle("psi", 0.2_deg, above_to(0_deg, 180_deg), "the angle from
 
 TELL
 {
-  require(psi > swing_.eta, "psi", "greater than eta, where the descent begins");
-  const double eta = swing_.eta, way = psi - eta, tau = swing::time_from_rest_past(way, eta);
+  require(psi.fifty() > swing_.eta.fifty(), "psi", "greater than eta, where the descent begins");
+  const double eta = swing_.eta, way = static_cast<double>(psi.fifty() - swing_.eta.fifty()),
+               tau = swing::time_from_rest_past(way, eta);
   tell("element", element_of_way(way, eta), "dt/dψ in the unit √(b/2g)");
   tell("tau", tau, "time since the start, t√(2g/b)");
   tell("cosh", eta * std::cosh(tau), degrees, "where η cosh t√(2g/b) would be by then");
-  race("difference", "dt/dψ", element_of_way(Fifty(psi) - eta, Fifty(eta)),
+  race("difference", "dt/dψ", element_of_way(psi.fifty() - swing_.eta.fifty(), swing_.eta.fifty()),
        {{"1/(2√(cc − zz))", [=] { return element_before<double>(psi, eta); }},
         {"the equation (4)", [=] { return element<double>(psi, eta); }},
-        {"the product (5)", [=] { return element_of_way(way, eta); }}});
+        {"the product (A)", [=] { return element_of_way(way, eta); }}});
 }
 
 TELL
 {
-  curve("element", {"psi", "element"}, [](Curve& c) {
+  curve("elements", {"psi", "element"}, [](Curve& c) {
     for(const double eta : {5_deg, 1_deg, 0.1_deg})
     {
       for(double way = 1e-3 * eta; eta + way <= 180_deg; way *= 1.06)
@@ -171,4 +172,61 @@ CHECK_THAT("one part in a hundred millions from the top the ones cancel to nothi
   for(const double way : {1e-300, 1e-20, 1e-8, 1.0})
     CHECK(element_of_way(way, 1e-8)
           == within_ulps(element_of_way(Fifty(way), Fifty(1e-8)), 2, "two sines, a product, a root"));
+}
+
+/*!
+What is told is judged by the exact descent: its speed at the moment when it has come to ψ, and the time to there.
+*/
+
+CHECK_THAT(
+    "the element and the time told are those of the exact descent, the cosine that of its first moments")
+{
+  for(const Told& now : told_at("", "eta=30 psi=100", "eta=1e-200rad psi=2e-200rad"))
+  {
+    const Fifty eta = swing_.eta.fifty(), way = psi.fifty() - eta;
+    const Fifty tau = swing::oracle::time_from_rest_past(way, eta);
+    const auto motion = swing::oracle::Motion::from_eta(eta);
+    const Fifty slowness = 1 / motion.velocity(tau - motion.quarter());
+    CHECK(now.value("element") == within_ulps(slowness, 3, "two sines and their roots, and products"));
+    CHECK(now.value("tau") == within_ulps(tau, 6, "the library's bound"));
+    CHECK(now.value("cosh", degrees)
+          == within_relative(eta * cosh(tau), 4e-15, "the time's ulps, times itself"));
+    CHECK(now.exact("difference") == within_relative(slowness, 1e-44, "fifty digits, less the motion's"));
+    CHECK(now.method("difference", "the product (A)") == within_ulps(slowness, 3, "as above"));
+  }
+  for(const Told& now : told_at("", "eta=30 psi=100", "eta=0.01 psi=0.02"))
+  {
+    const Fifty eta = swing_.eta.fifty(), s = sin(eta / 2), p = sin(psi.fifty() / 2);
+    const Fifty slowness = 1 / (2 * sqrt(p * p - s * s));
+    const double lost = static_cast<double>(3e-16 / (p * p - s * s)),
+                 kept = static_cast<double>(p * p) * lost;
+    CHECK(now.method("difference", "1/(2√(cc − zz))")
+          == within_relative(slowness, lost, "squares near one"));
+    CHECK(now.method("difference", "the equation (4)")
+          == within_relative(slowness, kept + 3e-16, "small squares"));
+  }
+}
+
+CHECK_THAT("the curves are the element at three starts, and half over the sine")
+{
+  for(const Told& now : told_at(""))
+  {
+    int starts = 0;
+    double before = 180;
+    for(const auto& point : now.points("elements"))
+    {
+      const double at = point.at("psi");
+      starts += at < before ? 1 : 0;
+      before = at;
+      const Fifty eta = Fifty(starts == 1 ? "5" : starts == 2 ? "1" : "0.1") * exact::pi() / 180;
+      const Fifty s = sin(eta / 2), p = sin(Fifty(at) * exact::pi() / 360);
+      CHECK(point.value("element")
+            == within_relative(1 / (2 * sqrt(p * p - s * s)), 1e-12, "ψ − η of a rounded ψ"));
+    }
+    CHECK(starts == 3);
+    for(const auto& point : now.points("limit", 9))
+      CHECK(
+          point.value("element")
+          == within_relative(1 / (2 * sin(Fifty(point.at("psi")) * exact::pi() / 360)), 1e-14, "ψ rounds"));
+  }
 }

@@ -12,7 +12,7 @@ The formula of {{sec pendulum.15}} also gives the time of the whole descent, fro
 the lowest, $AB$. One has only to put $\psi = 180°$. A quarter of that is 45°, whose tangent is 1, and so
 
 $$ t = \frac{\sqrt b}{\sqrt{2g}}\,l\,\frac1{\operatorname{tg}\frac14\eta}
-   = \frac{\sqrt b}{\sqrt{2g}}\,l\cot\tfrac14\eta. \tag{1} $$
+   = \frac{\sqrt b}{\sqrt{2g}}\,l\cot\tfrac14\eta{{entry quarters}}. \tag{1} $$
 
 ::: margin
 Today: $t\sqrt{2g/b} = K(\cos\tfrac12\eta)$, of which $\ln\cot\tfrac14\eta =
@@ -38,25 +38,24 @@ double first_term(const swing::Amplitude& a)  // (1), in units √(b/2g)
 Is it accurate enough? The next terms together bring $l\,2$ for a descent from near the top, as {{sec
 pendulum.22}} will find. Of the whole, which is nearly $l(8:\eta)$ there, this is the part
 
-$$ \frac{l\,2}{l\,8 - l\,\eta}, \tag{2} $$
+$$ \frac{l\,2}{l\,8 - l\,\eta}, \tag{A} $$
 
 and a logarithm grows slowly: whoever wants the part to be small has to go very near the top indeed.
 */
 
-double start_for(double part)  // the η from which, by (2), this part is missing
+double start_for(double part)  // the η from which, by (A), this part is missing
 {
   return 8 * std::exp2(-1 / part);
 }
 
 const auto swing_ = amplitude_from_top(5_deg);
-const auto b = real("b", 1.0, metres, positive, "length of the equivalent simple pendulum");
-const auto g =
-    real("g", 4.903325, metres, positive, "height fallen in the first second, half of today's g");
+const auto b = real("b", 1.0, metres, scale, "length of the equivalent simple pendulum");
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second, half of today's g");
 
 TELL
 {
   const swing::Amplitude a{swing_.zeta, swing_.eta};
-  const double unit = std::sqrt(b / (2 * g)), K = swing::quarter_time(a), first = first_term(a);
+  const double unit = std::sqrt(b) / std::sqrt(2 * g), K = swing::quarter_time(a), first = first_term(a);
   tell("t", unit * K, seconds, "time of the whole descent");
   tell("t_first", unit * first, seconds, "the same by the first term, (1)");
   tell("K", K, "t√(2g)/√b");
@@ -73,7 +72,7 @@ double missing_part(double eta)
 
 TELL
 {
-  curve("part", {"eta", "part"}, [](Curve& c) {
+  curve("parts", {"eta", "part"}, [](Curve& c) {
     for(double log_eta = 0; log_eta > -32; log_eta -= 0.1)
       c.put({std::pow(10, log_eta), missing_part(std::pow(10, log_eta))});
   });
@@ -142,11 +141,11 @@ CHECK_THAT("fifteen per cent is missing at 5°, eleven at 1°, and one from a st
 {
   CHECK(100 * missing_part(5_deg) == printed("15.4"));
   CHECK(100 * missing_part(1_deg) == printed("11.3"));
-  CHECK(missing_part(start_for(0.01)) == within(Fifty(0.01), 3e-16, "(2) is exact to ηη; two ulps of 1"));
+  CHECK(missing_part(start_for(0.01)) == within(Fifty(0.01), 3e-16, "(A) is exact to ηη; two ulps of 1"));
 }
 
 /*!
-The scan has ½ for ¼ in both expressions.
+Our copy has ½ for ¼ in both expressions.
 */
 
 const Emendation quarters{
@@ -157,3 +156,38 @@ const Emendation quarters{
     [](double reading) {
       return reading == within_ulps(integral_of_first_term(5_deg), 2, "two roundings");
     }};
+
+/*!
+What is told, at Euler's five degrees, at a right angle, near the top and far from it:
+*/
+
+CHECK_THAT("the times told are K and its first term in seconds, and what is missing is their difference")
+{
+  for(const Told& now : told_at("", "eta=90 b=2", "eta=1e-200rad g=1e-90", "zeta=1e-9 b=1e100"))
+  {
+    const Fifty eta = swing_.eta.fifty(), s = sin(eta / 2), K = swing::oracle::K_from_complement(s);
+    const Fifty first = -log(tan(eta / 4)), unit = sqrt(b.fifty() / (2 * g.fifty()));
+    const char* const why = "a root each, a product, and the library's ulp";
+    CHECK(now.value("t", seconds) == within_relative(unit * K, 6e-16, why));
+    CHECK(now.value("t_first", seconds) == within_relative(unit * first, 9e-16, why));
+    CHECK(now.value("K") == within_ulps(K, 1, "the library's bound"));
+    CHECK(now.value("first") == within_ulps(first, 3, "a tangent and a logarithm"));
+    const double of_K = 4e-16 * static_cast<double>(K);
+    CHECK(now.value("missing")
+          == within(K - first, of_K, "two numbers, rounded before they are subtracted"));
+    CHECK(now.value("part", percent) == within((K - first) / K, 5e-16, "the same"));
+    CHECK(now.value("percent_start", radians) == within_relative(pow(Fifty(2), -97), 1e-15, "8 : 2¹⁰⁰"));
+  }
+}
+
+CHECK_THAT("the figure's part is what the time's own bounds leave, at all its points")
+{
+  for(const Told& now : told_at(""))
+    for(const char* const drawn : {"parts", "examples"})
+      for(const auto& point : now.points(drawn, 12))
+      {
+        const Fifty eta(point.at("eta")), s = sin(eta / 2), K = swing::oracle::K_from_complement(s);
+        CHECK(point.value("part")
+              == within(1 + log(tan(eta / 4)) / K, 5e-16, "one less a rounded quotient"));
+      }
+}
