@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <locale>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -216,6 +217,62 @@ TEST_CASE("text shows what is asked for")
   CHECK((Fifty(0) / 0).str() == "nan");
   CHECK_THROWS_AS(Fifty(1).str(0), std::out_of_range);
   CHECK_THROWS_AS(Fifty(1).str(51), std::out_of_range);
+}
+
+// Thousands apart, as many languages write them; no locale need be installed for it.
+struct Apart : std::numpunct<char>
+{
+  char do_thousands_sep() const override { return '.'; }
+  char do_decimal_point() const override { return ','; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST_CASE("text is the same in every locale")
+{
+  const auto texts = [] {
+    return std::vector<std::string>{
+        Fifty("1234567").str(),           Fifty("1234567.25").str(12),
+        Fifty("-1.5e123456").str(),       (Fifty(1) / 3).str(),
+        Rational(1234567, 7654321).str(), Rational("123456789123456789123456789").str(),
+        Rational(1234567).numerator(),    bernoulli(30).str()};
+  };
+  const std::vector<std::string> plain = texts();
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Apart));
+  const std::vector<std::string> national = texts();
+  const Fifty read("1234567.25");
+  std::locale::global(before);
+  CHECK(plain == national);
+  CHECK(plain.front() == "1234567");
+  CHECK(read == 1234567.25);
+}
+
+// The right sides were found with 120 digits by another library, mpmath.
+TEST_CASE("a sine knows its angle, far out and beside a multiple of pi")
+{
+  CHECK(sin(pi()) == to_fifty_digits(Fifty("4.33483368264870798111070286259770700622454578626434e-51")));
+  CHECK(cos(pi() / 2)
+        == to_fifty_digits(Fifty("2.16741684132435399055535143129885350311227289313217e-51")));
+  CHECK(tan(pi() / 2)
+        == to_fifty_digits(Fifty("461378716328960171718715682558375796501559778974180.38483405")));
+  CHECK(sin(-pi()) == -sin(pi()));
+  CHECK(sin(Fifty(1e22))
+        == to_fifty_digits(Fifty("-0.852200849767188801772705893753029368261762150410043656")));
+  CHECK(cos(Fifty("1e44"))
+        == to_fifty_digits(Fifty("-0.893712793236090405131302880152865490827862902050102043")));
+  CHECK(tan(Fifty("1e44"))
+        == to_fifty_digits(Fifty("0.501995216447248522167111362584337990447921179431713426")));
+  for(const Fifty& far : {Fifty("1e45"), Fifty("-1e55"), 1 / Fifty(0), Fifty(0) / 0})
+  {
+    CHECK(isnan(sin(far)));
+    CHECK(isnan(cos(far)));
+    CHECK(isnan(tan(far)));
+  }
+  for(int quarters = -5; quarters <= 5; ++quarters)
+  {
+    const Fifty x = quarters * pi() / 2 + Fifty(0.3);
+    CHECK(sin(x) == to_fifty_digits(2 * sin(x / 2) * cos(x / 2)));
+    CHECK(cos(x) == to_fifty_digits((cos(x / 2) - sin(x / 2)) * (cos(x / 2) + sin(x / 2))));
+  }
 }
 
 TEST_CASE("what is not a decimal is refused")

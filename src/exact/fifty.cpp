@@ -63,6 +63,32 @@ bool is_decimal(std::string_view text)
   return digits > 0 && text.empty();
 }
 
+// An angle less the nearest multiple of ½π, and which one, modulo 4.
+struct Turned
+{
+  Real rest;
+  int quarters;
+};
+
+// With 600 bits for π: below 1e45 an angle of 168 bits comes no nearer to a multiple of ½π than some 2^-180, so that 2^-600
+// of the angle leave the rest all its digits.
+Turned turned(const Real& x)
+{
+  using Wide = boost::multiprecision::number<
+      boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
+      boost::multiprecision::et_off>;
+  static const Wide quarter = boost::math::constants::half_pi<Wide>();
+  const Wide whole = floor(Wide(x) / quarter + 0.5);
+  const Wide rest = Wide(x) - whole * quarter;
+  return {rest.convert_to<Real>(), (whole - 4 * floor(whole / 4)).convert_to<int>()};
+}
+
+bool has_sine(const Fifty& x)
+{
+  static const Fifty limit("1e45");
+  return abs(x) < limit;
+}
+
 }  // namespace
 
 Fifty::Fifty()
@@ -166,15 +192,27 @@ Fifty exp(const Fifty& x)
 }
 Fifty sin(const Fifty& x)
 {
-  return fifty(sin(real(x)));
+  if(!has_sine(x))
+  {
+    return nan();
+  }
+  const auto [rest, quarters] = turned(real(x));
+  const Real size = quarters % 2 == 0 ? Real(sin(rest)) : Real(cos(rest));
+  return fifty(quarters < 2 ? size : Real(-size));
 }
 Fifty cos(const Fifty& x)
 {
-  return fifty(cos(real(x)));
+  if(!has_sine(x))
+  {
+    return nan();
+  }
+  const auto [rest, quarters] = turned(real(x));
+  const Real size = quarters % 2 == 0 ? Real(cos(rest)) : Real(sin(rest));
+  return fifty(quarters == 0 || quarters == 3 ? size : Real(-size));
 }
 Fifty tan(const Fifty& x)
 {
-  return fifty(tan(real(x)));
+  return sin(x) / cos(x);
 }
 Fifty atan(const Fifty& x)
 {

@@ -58,7 +58,8 @@ public:
   explicit operator double() const;
 
   /// The number in decimal, rounded to `digits` significant digits, without trailing zeros: plain (`0.00012`)
-  /// from 1e-4 up to 10^digits, else with an exponent (`1.2e-05`). `"inf"`, `"-inf"`, `"nan"` for the rest.
+  /// from 1e-4 up to 10^digits, else with an exponent (`1.2e-05`). `"inf"`, `"-inf"`, `"nan"` for the rest. The same in
+  /// every locale.
   /// @throws std::out_of_range unless 1 ≤ digits ≤ 50
   std::string str(int digits = 50) const;
 
@@ -88,9 +89,9 @@ public:
   friend Fifty expm1(const Fifty& x);  ///< without cancellation near 0
   friend Fifty log(const Fifty& x);    ///< -inf at zero, NaN below
   friend Fifty log1p(const Fifty& x);  ///< without cancellation near 0; -inf at -1, NaN below
-  friend Fifty sin(const Fifty& x);    ///< x in radians
-  friend Fifty cos(const Fifty& x);    ///< x in radians
-  friend Fifty tan(const Fifty& x);    ///< x in radians
+  friend Fifty sin(const Fifty& x);    ///< x in radians, near a multiple of π too; NaN from |x| = 1e45 on
+  friend Fifty cos(const Fifty& x);    ///< the same of the cosine
+  friend Fifty tan(const Fifty& x);    ///< and of the tangent
   friend Fifty asin(const Fifty& x);   ///< NaN outside [-1, 1]
   friend Fifty acos(const Fifty& x);   ///< NaN outside [-1, 1]
   friend Fifty atan(const Fifty& x);   ///< from -½π to ½π
@@ -127,7 +128,7 @@ private:
   alignas(16) std::byte bytes_[64];
 };
 
-Fifty pi();           ///< 3.14159...
+Fifty pi();           ///< 3.14159..., as near as 168 bits come: 4.3e-51 less than π, which is its sine
 Fifty ln2();          ///< the natural logarithm of 2
 Fifty euler_gamma();  ///< Euler's constant, 0.57721...
 

@@ -2,6 +2,9 @@
 // Private to src/exact: what the bytes of a Fifty hold, for the functions that hand it to Boost and back.
 #include "exact/fifty.hpp"
 
+// Boost writes whole numbers as the global locale would have them unless it is told not to, and then trips over its own
+// separators.
+#define BOOST_LEXICAL_CAST_ASSUME_C_LOCALE
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <new>
