@@ -1,3 +1,7 @@
-// doctest with its own main(), for the programs in tests/.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+// main() of the programs in tests/.
 #include <doctest/doctest.h>
+
+int main(int argc, char** argv)
+{
+  return doctest::Context(argc, argv).run();
+}

@@ -184,7 +184,7 @@ int complain(const std::string& program, const std::string& what, int status)
 
 }  // namespace
 
-int main(int argc, char** argv)
+int edition::run(int argc, char** argv)
 {
   gsl_set_error_handler_off();  // GSL's own handler ends the program; its functions' status and NaN say enough
   Section& s = section();

@@ -213,4 +213,7 @@ struct CheckResult
 };
 CheckResult run_checks(Section& s, const std::vector<std::string>& doctest_arguments, bool json);
 
+/// What main() does: answers the command line, and returns the exit status.
+int run(int argc, char** argv);
+
 }  // namespace edition

@@ -1,0 +1,1 @@
+// The teller's header, precompiled for all sections.
