@@ -1,6 +1,7 @@
 #include "edition/section.hpp"
 #include "pendulum/reckoning.hpp"
 #include "pendulum/series.hpp"
+#include "swing/oracle.hpp"
 
 SECTION(pendulum, 31, "First example: the member with the logarithm")
 
@@ -10,7 +11,7 @@ using namespace pendulum;
 ## What Euler does
 
 The first member is the series of {{sec pendulum.30}} times the hyperbolic logarithm of
-$\cot\tfrac12\alpha$. Euler looks up the common logarithm of the cotangent of $1°\,15'$, which is 1,6611437,
+$\cot\tfrac12\alpha$ {{entry one_logarithm}}. Euler looks up the common logarithm of the cotangent of $1°\,15'$, which is 1,6611437,
 and turns it into a hyperbolic one by the factor 2,30258509. So the first member of {{eq pendulum.29 2}} is a
 product of three factors,
 
@@ -18,7 +19,7 @@ product of three factors,
 2,30258509… is $\ln 10$, so that the last two factors are $\ln\cot 1°15'$.
 :::
 
-$$ 1{,}0004801 \cdot 2{,}3025851 \cdot 1{,}6611437 = 3{,}82675, \tag{1} $$
+$$ 1{,}0004801{{entry the_factor}} \cdot 2{,}3025851 \cdot 1{,}6611437 = 3{,}82675, \tag{1} $$
 
 worked out by logarithms that he does not write down.
 
@@ -81,11 +82,11 @@ TELL
 }
 
 /*!
-From the printed factor the table gives {{product_printed|8}}, which rounds to 3,82676. To round to what is
+From the printed factor the table gives {{product_printed|8}}, which rounds to 3.82676. To round to what is
 printed, the factor would have to lie between {{good_from|8}} and {{good_to|8}}, and the true one does. Only if
 every logarithm were cut off at its seventh place, and the product ({{product_cut|8}}) at its fifth, would the
 printed factor lead to the printed product. Euler does cut now and then, as in {{sec pendulum.35}}. So either
-the factor is a misprint, made twice, for a number near 1,000476, or he worked with the wrong factor and the
+the factor is a slip of pen or press, made twice, for a number near 1.000476, or he worked with the wrong factor and the
 cutting saved him. The paper does not tell.
 
 ::: figure pendulum-31
@@ -136,3 +137,49 @@ const Doubtful one_logarithm{
     [](double l) {
       return l == within(2.3025851 * 1.6611437, 2e-7, "half a unit of the seventh decimal of each");
     }};
+
+/*!
+What is told follows from the product's decimals and two exact factors, and the table's last column from the time
+itself:
+*/
+
+CHECK_THAT("the factors told give 3,826745 and 3,826755, and the true column is that of the exact time")
+{
+  const Fifty logarithms = Fifty("2.3025851") * Fifty("1.6611437");
+  for(const Told& now : told_at("", "eta=1", "eta=90"))
+  {
+    CHECK(now.value("good_from") == within_relative(Fifty("3.826745") / logarithms, 4e-16, "a quotient"));
+    CHECK(now.value("good_to") == within_relative(Fifty("3.826755") / logarithms, 4e-16, "a quotient"));
+    CHECK(now.value("product_cut")
+          == between(Fifty("3.82675"), Fifty("3.82676"), "cut off at the fifth place"));
+    const Fifty half = swing_.eta.fifty() / 4, ten = log(Fifty(10)),
+                log_cot = log(cos(half)) - log(sin(half));
+    const auto rows = now.rows("lines");
+    CHECK(rows[0].value("true") == within_relative(log_cot / ten, 2e-16, "rounded to a double"));
+    CHECK(rows[1].value("true") == within_relative(ten, 2e-16, "rounded to a double"));
+    CHECK(rows[2].value("true") == within_relative(ten, 2e-16, "rounded to a double"));
+    const Fifty factor = swing::oracle::ratio_from_bottom(swing_.eta.fifty());
+    CHECK(rows[3].value("true") == within_relative(factor * log_cot, 2e-16, "rounded to a double"));
+    const Fifty used = now.setting().empty() ? Fifty("1.0004801") : factor;
+    const double by_table = 2e-7 * static_cast<double>(factor * log_cot);
+    CHECK(now.value("product_printed")
+          == within(used * log_cot, by_table, "three logarithms of seven places, each ± ½ in the last"));
+  }
+}
+
+CHECK_THAT("each point of the figure is a factor and its product, and only the true factor is in the band")
+{
+  for(const Told& now : told_at(""))
+  {
+    int inside = 0;
+    for(const auto& point : now.points("factors"))
+    {
+      const Fifty product = Fifty(point.at("factor")) * Fifty("2.3025851") * Fifty("1.6611437");
+      CHECK(point.value("product") == within_relative(product, 4e-16, "two products"));
+      inside += product > Fifty("3.826745") && product < Fifty("3.826755") ? 1 : 0;
+    }
+    CHECK(inside == 1);
+    const Fifty factor = swing::oracle::ratio_from_bottom(exact::pi() / 36);
+    CHECK(now.points("factors")[1].value("factor") == within_ulps(factor, 1, "rounded to a double"));
+  }
+}

@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "pendulum/reckoning.hpp"
+#include "swing/oracle.hpp"
 
 SECTION(pendulum, 32, "First example: the members with the logarithm of two")
 
@@ -9,15 +10,15 @@ using namespace pendulum;
 ## What Euler does
 
 For the second member of the time Euler multiplies the hyperbolic logarithm of two by $\cos\alpha$, and for
-the third he multiplies that product by $\tfrac34\sin^2\alpha$. The logarithm is 0,69314718, and $\alpha =
+the third he multiplies that product by $\tfrac34\sin^2\alpha$ {{entry factor}}. The logarithm is 0,69314718, and $\alpha =
 2°30'$; so the second member of {{eq pendulum.29 2}} comes, by common logarithms, from
 
-$$ \begin{aligned} l\,0{,}6931472 &= 9{,}8408253 \\ l\cos\alpha &= 9{,}9995865 \\
+$$ \begin{aligned} l\,0{,}6931472 &= 9{,}8408253{{entry ln_two}} \\ l\cos\alpha &= 9{,}9995865 \\
    \text{sum} = l\,\text{membr. II} &= 9{,}8404118, \end{aligned} \tag{1} $$
 
 and is 0,69249. From it he has the third,
 
-$$ \begin{aligned} l\,\text{membr. II} &= 9{,}8404118 \\ l\,\tfrac34 &= 9{,}8750613 \\ l\sin^2\alpha &= 7{,}2793592 \\
+$$ \begin{aligned} l\,\text{membr. II} &= 9{,}8404118 \\ l\,\tfrac34{{entry its_logarithm}} &= 9{,}8750613 \\ l\sin^2\alpha &= 7{,}2793592 \\
    l\,\text{membr. III} &= 6{,}9948323, \end{aligned} \tag{2} $$
 
 which is 0,00099. Since this is not even one thousandth, the members that follow can safely be left out.
@@ -68,8 +69,8 @@ TELL
 }
 
 /*!
-The first line is too small by two units of its last place. The slip is Euler's own and no misprint, for he
-adds with it: from 9,8408255 the sum would be 9,8404120. The same number serves him again in {{sec
+The first line is too small by two units of its last place. The slip is no misreading, for he
+adds with it: from 9.8408255 the sum would be 9.8404120. The same number serves him again in {{sec
 pendulum.36}}. In neither example does it touch the fifth decimal, and nor does all that he leaves out here,
 {{left_out|e2}}.
 
@@ -113,7 +114,7 @@ const Erratum ln_two{"§§32 and 36, l 0,6931472",
                      }};
 
 /*!
-The scan garbles the factor of the third member twice. The logarithm printed beside it settles both.
+Our copy garbles the factor of the third member twice. The logarithm beside it settles both.
 */
 
 bool has_the_printed_logarithm(double factor)
@@ -132,3 +133,49 @@ const Emendation its_logarithm{"§32, the line of that factor",
                                {"l ¾", 0.75},
                                "9,8750613 stands beside it; l ½ is 9,6989700",
                                has_the_printed_logarithm};
+
+/*!
+The true column and the figure come from the three members in fifty digits; here they are formed
+once more, term by term, and the rest from the series for $K$ that has all members.
+*/
+
+CHECK_THAT(
+    "what is told is the true logarithm or member, and what is left out is of the fourth power of sin α")
+{
+  for(const Told& now : told_at("", "eta=1", "eta=60"))
+  {
+    const Fifty alpha = swing_.eta.fifty() / 2, ten = log(Fifty(10)), ln_two("0.6931472");
+    const auto common = [&](const Fifty& x) { return log(x) / ten + 10; };
+    const Fifty second = sin(exact::pi() / 2 - alpha) * exact::ln2();
+    const Fifty third = second * (1 - pow(cos(alpha), 2)) * 3 / 4;
+    const std::array<Fifty, 8> truth{common(ln_two),       common(cos(alpha)),
+                                     common(second),       second,
+                                     common(Fifty(3) / 4), 2 * (common(sin(alpha)) - 10) + 10,
+                                     common(third),        third};
+    const auto rows = now.rows("lines");
+    REQUIRE(rows.size() == truth.size());
+    for(std::size_t i = 0; i < truth.size(); ++i)
+      CHECK(rows[i].value("true") == within_relative(truth[i], 2e-16, "rounded to a double"));
+    const Fifty u = cos(alpha), K = swing::oracle::K_from_complement(sin(alpha));
+    const Fifty factor = swing::oracle::ratio_from_bottom(2 * alpha);
+    const Fifty rest = K - factor * log((1 + u) / sin(alpha)) - second - third;
+    CHECK(now.value("left_out") == within(rest, 1e-16, "rounded to a double, and two hundred terms"));
+  }
+}
+
+CHECK_THAT("the figure has the three members and the rest")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("sizes", 7))
+    {
+      const Fifty alpha = Fifty(point.at("eta")) * exact::pi() / 360, s = sin(alpha), u = cos(alpha);
+      const Fifty first = swing::oracle::ratio_from_bottom(2 * alpha) * log((1 + u) / s);
+      const Fifty second = u * exact::ln2(), third = second * s * s * 3 / 4;
+      CHECK(point.value("first") == within_relative(first, 2e-16, "rounded to a double"));
+      CHECK(point.value("second") == within_relative(second, 2e-16, "rounded to a double"));
+      CHECK(point.value("third") == within_relative(third, 2e-16, "rounded to a double"));
+      const Fifty K = swing::oracle::K_from_complement(s);
+      CHECK(point.value("rest")
+            == within_relative(K - first - second - third, 1e-15, "fifty digits of three members"));
+    }
+}

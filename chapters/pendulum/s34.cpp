@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "pendulum/reckoning.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 34, "Second example, one degree from the top: the logarithms")
@@ -16,7 +17,7 @@ $$ l\cos 30' = 9{,}9999835, \qquad l\sin\alpha = 7{,}9408419, \tag{1} $$
 
 and from this follow the powers
 
-$$ l\sin^2\alpha = 5{,}8816838, \qquad l\sin^4\alpha = 1{,}7633676. \tag{2} $$
+$$ l\sin^2\alpha = 5{,}8816838, \qquad l\sin^4\alpha{{entry fourth_power}} = 1{,}7633676. \tag{2} $$
 
 With them the series that multiplies $l\cot\tfrac12\alpha$ is
 
@@ -63,6 +64,14 @@ int terms_needed(double eta)
   return terms;
 }
 
+double four_serve_to()  // in degrees, to a tenth
+{
+  int tenths = 10;
+  while(terms_needed((tenths + 1) * 0.1_deg) <= 4)
+    ++tenths;
+  return tenths / 10.0;
+}
+
 const auto swing_ = amplitude_from_top(1_deg, closed(90_deg, 179.9_deg));
 
 TELL
@@ -71,10 +80,7 @@ TELL
              swing_.eta == 1_deg);
   tell("factor", swing::ratio_from_bottom(swing_.eta), "the sum of the whole series (3)");
   tell("terms_needed", terms_needed(swing_.eta), "terms of (3) for eight decimals, the 1 among them");
-  double eta = 1_deg;
-  while(terms_needed(eta) <= 4)
-    eta += 0.1_deg;
-  tell("four_serve", eta, degrees, "the η at which four terms no longer give eight decimals");
+  tell("four_serve", four_serve_to() * 1_deg, degrees, "to which η four terms give eight decimals", 3);
 }
 
 TELL
@@ -119,7 +125,7 @@ CHECK_THAT("the looked-up logarithms and the sum of the series are right to thei
 }
 
 /*!
-In the scan the second of {{eq 2}} is without the sign of the logarithm, and its exponent is 2.
+In our copy the second of {{eq 2}} is without the sign of the logarithm, and its exponent is 2.
 */
 
 const Emendation fourth_power{
@@ -127,4 +133,55 @@ const Emendation fourth_power{
     {"sin²α = 1,7633676", 2},
     {"l sin⁴α = 1,7633676", 4},
     "it is four times l sin α, less thirty",
-    [](double n) { return (int(n) * SevenPlaces::as_written("7,9408419")).text() == "1,7633676"; }};
+    [](double n) {
+      const double times = n * (7.9408419 - 10) + 10;
+      return times == within(1.7633676, 1e-9, "the sine's logarithm n times, less tens");
+    }};
+
+/*!
+The truth in the table, and how many terms serve, by the whole series in fifty digits:
+*/
+
+Fifty missing_after(int terms, const Fifty& eta)  // what (3) lacks after so many terms
+{
+  return swing::oracle::ratio_from_bottom(eta) - series(pow(sin(eta / 2), 2), terms);
+}
+
+CHECK_THAT("the truths told are the logarithms and the sum, and the terms told are the fewest that serve")
+{
+  const Fifty half_unit("0.5e-8");
+  for(const Told& now : told_at("", "eta=5", "eta=60"))
+  {
+    const Fifty eta = swing_.eta.fifty(), ten = log(Fifty(10)), s = log(sin(eta / 2)) / ten;
+    const Fifty sum = swing::oracle::ratio_from_bottom(eta);
+    const std::array<Fifty, 5> truth{log(cos(eta / 2)) / ten + 10, s + 10, 2 * s + 10, 4 * s + 10, sum};
+    const auto rows = now.rows("lines");
+    for(std::size_t i = 0; i < truth.size(); ++i)
+      CHECK(rows.at(i).value("true") == within_relative(truth[i], 3e-16, "rounded to a double"));
+    CHECK(now.value("factor") == within_ulps(sum, 1, "the library's bound"));
+    int fewest = 1;
+    while(missing_after(fewest, eta) > half_unit)
+      ++fewest;
+    CHECK(now.value("terms_needed") == fewest);
+    Fifty to = exact::pi() / 180;
+    const Fifty tenth = exact::pi() / 1800;
+    while(missing_after(4, to + tenth) <= half_unit)
+      to += tenth;
+    CHECK(now.value("four_serve", degrees)
+          == within_ulps(to, 1, "a whole number of tenths, and the degree"));
+  }
+}
+
+CHECK_THAT("the staircase has, at each of its points, the fewest terms that serve, and so have the dots")
+{
+  for(const Told& now : told_at(""))
+    for(const char* const drawn : {"terms", "examples"})
+      for(const auto& point : now.points(drawn, 9))
+      {
+        const Fifty eta = Fifty(point.at("eta")) * exact::pi() / 180, half_unit("0.5e-8");
+        int fewest = 1;
+        while(missing_after(fewest, eta) > half_unit)
+          ++fewest;
+        CHECK(point.value("terms") == within(Fifty(fewest), 0, "a count"));
+      }
+}
