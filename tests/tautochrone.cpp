@@ -1,5 +1,6 @@
 /// @file
-/// The tautochrone of compound pendulums: Euler's expansion and the exact curve by routes that share nothing.
+/// The tautochrone of compound pendulums: Euler's expansion and the exact curve by routes that share
+/// nothing.
 #include "edition/compare.hpp"
 #include "exact/ode.hpp"
 #include "tautochrone/curve.hpp"

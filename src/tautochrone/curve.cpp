@@ -24,10 +24,11 @@ Point ending_at(const Fifty& k, const Fifty& phi)
 }
 
 // Where the integration down to phi begins: at the end, or as near as leaves e^-80 of an error there.
+// Near the lowest point two curves approach each other as φ to the power (1 - kk)/kk.
 Point beginning(const Fifty& k, const Fifty& phi)
 {
   Point end = highest_end(k);
-  const Fifty enough = falling(phi) - 80 * k * k;
+  const Fifty enough = falling(phi) - 80 * k * k / ((1 - k) * (1 + k));
   if(falling(end.phi) >= enough)
     return end;
   Fifty lower = phi;
@@ -54,11 +55,16 @@ Point highest_end(const Fifty& k)
   return {atan((1 - k) / sqrt(k)), sqrt(k * (1 - k + k * k)), (1 - k) * (1 - k) / 2};
 }
 
-std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
+namespace
+{
+
+// r at angles that grow, on the tautochrone that ends at `end`; `begin` tells where to begin for an angle.
+template <class Start>
+std::vector<Fifty> down_from(const Fifty& k, const Point& end, const std::vector<Fifty>& angles,
+                             Start begin)
 {
   if(k < Fifty("1e-9"))
     throw std::domain_error("k/a is too small to follow the curve: " + k.str(6));
-  const Point end = highest_end(k);
   const Fifty kk = k * k;
   const auto versine = [](const Fifty& phi) { return 2 * sin(phi / 2) * sin(phi / 2); };
   // The slope with respect to h = 1 - cos φ: no sine is left in it.
@@ -72,8 +78,8 @@ std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
   {
     if(!(*phi >= 0 && *phi <= (radii.empty() ? end.phi : at.phi)))
       throw std::domain_error("the angles must grow up to " + end.phi.str(6) + ", unlike " + phi->str(6));
-    const Point start = *phi == 0 ? Point{0, 1, 0} : beginning(k, *phi);
-    if(radii.empty() || start.phi < at.phi)
+    const Point start = *phi == 0 ? Point{0, 1, 0} : begin(*phi);
+    if(start.phi < at.phi)
       at = start;
     if(*phi != at.phi)
       at.r = solve(right_side, versine(at.phi), {at.r}, versine(*phi), Fifty("1e-30")).y[0];
@@ -82,6 +88,30 @@ std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
   }
   std::reverse(radii.begin(), radii.end());
   return radii;
+}
+
+}  // namespace
+
+Point widest_end(const Fifty& k)
+{
+  if(!(k > 0 && k < 1))
+    throw std::domain_error("a pendulum on cheeks needs 0 < k < a, not k/a = " + k.str(6));
+  const Fifty sine = (1 - k) * (1 + k) / (1 + k * k);
+  return {atan2(sine, 2 * k / (1 + k * k)), k, (1 + k * k) / 4 * sine * sine};
+}
+
+std::vector<Fifty> highest(const Fifty& k, const std::vector<Fifty>& angles)
+{
+  return down_from(k, highest_end(k), angles, [&](const Fifty& phi) { return beginning(k, phi); });
+}
+
+std::vector<Fifty> through(const Fifty& k, const Fifty& phi, const Fifty& r,
+                           const std::vector<Fifty>& angles)
+{
+  if(!(phi > 0 && r > 0 && (1 + k * k) * r * cos(phi) >= (k * k + r * r) * (1 - Fifty("1e-45"))))
+    throw std::domain_error("no cheek leads through this point: dr would be positive there");
+  const Point end{phi, r, 0};
+  return down_from(k, end, angles, [&](const Fifty&) { return end; });
 }
 
 Fifty highest(const Fifty& k, const Fifty& phi)

@@ -50,18 +50,26 @@ struct Point
  *
  * For k < 1 infinitely many curves through the lowest point, all with the radius 1 there, have all swings
  * equal. Each of them ends where dr = 0 and the cheek would have to turn back. The one that reaches highest
- * does so at tan φ = (1 - k)/√k and at the height ½(1 - k)². It is the edition's standard of an exact curve.
+ * does so at tan φ = (1 - k)/√k and at the height ½(1 - k)². It is the edition's standard of an exact
+ * curve.
  *
  * @throws std::domain_error unless 0 < k < 1
  */
 Point highest_end(const exact::Fifty& k);
 
 /**
+ * Where the widest tautochrone ends, the one that reaches the greatest angle: at 90° − 2 arctan k with
+ * the radius k.
+ * @throws std::domain_error unless 0 < k < 1
+ */
+Point widest_end(const exact::Fifty& k);
+
+/**
  * r of the highest tautochrone at each of the angles, which must grow and lie between 0 and its end. The
  * error is below 1e-28.
  *
- * Integrated backwards. For small k the integration need not begin at the end: two tautochrones that are both
- * there at an angle a little above φ differ at φ by less than e^-80.
+ * Integrated backwards. For small k the integration need not begin at the end: two tautochrones that are
+ * both there at an angle a little above φ differ at φ by less than e^-80.
  *
  * @throws std::domain_error unless 1e-9 ≤ k < 1 and the angles are as they should be
  */
@@ -71,11 +79,22 @@ std::vector<exact::Fifty> highest(const exact::Fifty& k, const std::vector<exact
 exact::Fifty highest(const exact::Fifty& k, const exact::Fifty& phi);
 
 /**
- * The same in double, by GSL's pair of Runge, Kutta, Prince and Dormand of the eighth order from the end back
- * to φ, each step's error at most `tolerance`. With 1e-13 the result errs by less than 1e-13.
+ * r of the tautochrone through the point (φ, r), at each of the angles, which must grow and lie between 0
+ * and φ. The error is below 1e-28.
  *
- * Domain: 0.01 ≤ k < 1 (below, the equation is too stiff), 0 < φ up to the end, 1e-15 ≤ tolerance; NaN where
- * the steps do not get there.
+ * Through every point with (1 + kk) r cos φ ≥ kk + rr passes one that can be wound on a cheek.
+ * @throws std::domain_error unless 1e-9 ≤ k < 1, the point is as said, and the angles are as they should be
+ */
+std::vector<exact::Fifty> through(const exact::Fifty& k, const exact::Fifty& phi, const exact::Fifty& r,
+                                  const std::vector<exact::Fifty>& angles);
+
+/**
+ * r of the highest tautochrone in double, by GSL's pair of Runge, Kutta, Prince and Dormand of the eighth
+ * order from the end back to φ, each step's error at most `tolerance`. With 1e-13 the result errs by less
+ * than 1e-13.
+ *
+ * Domain: 0.01 ≤ k < 1 (below, the equation is too stiff), 0 < φ up to the end, 1e-15 ≤ tolerance; NaN
+ * where the steps do not get there.
  */
 double followed_back(double k, double phi, double tolerance);
 

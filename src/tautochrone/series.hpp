@@ -67,11 +67,12 @@ Real equation(const Real& a, const Real& kk, const Real& r, const Real& dr_sin, 
 }
 
 /**
- * r₀, r₁, ... with r = a Σ rₙ (kk/aa)ⁿ: the first `last` + 1 coefficients, polynomials in cos φ and 1/cos φ.
+ * r₀, r₁, ... with r = a Σ rₙ (kk/aa)ⁿ: the first `last` + 1 coefficients, polynomials in cos φ and 1/cos
+ * φ.
  *
  * r₀ = cos φ; r₁ and r₂ are the P and Q of §§29 and 30 for a = 1. All coefficients are whole numbers, which
- * `Number` = `Rational` gives exactly and `Fifty` as long as they have no more than fifty digits. The series
- * diverges for every φ but zero: it is an asymptotic one.
+ * `Number` = `Rational` gives exactly and `Fifty` as long as they have no more than fifty digits. The
+ * series diverges for every φ but zero: it is an asymptotic one.
  *
  * @throws std::domain_error if last < 0
  */
@@ -84,5 +85,31 @@ exact::Laurent<exact::Fifty> truncated(int order, const exact::Fifty& k);
 
 /// The same with its coefficients rounded to doubles, for the races.
 exact::Laurent<double> truncated_in_double(int order, const exact::Fifty& k);
+
+/// The last power of kk for which terms() and end_of_truncated() have coefficients.
+inline constexpr int last_power = 16;
+
+/**
+ * The terms (kk)ⁿrₙ of r/a for n = 0 to `last`, in double, at an angle 0 ≤ φ < ½π; k is k/a, not negative.
+ *
+ * r₀ is cos φ, and rₙ/cos φ a polynomial in tan²φ with none but negative coefficients, so that each term is
+ * good to 1e-14 of itself (measured), at small angles too.
+ * @throws std::domain_error unless 0 ≤ last ≤ last_power, 0 ≤ k, |φ| < ½π
+ */
+std::vector<double> terms(double k, double phi, int last);
+
+/// r/a through the power (kk)^order, in double: the sum of terms(), good to 1e-14 of the largest. @throws
+/// as they
+double radius_by_series(int order, double k, double phi);
+
+/**
+ * The angle at which the radius of Euler's curve, kept through the power (kk)^order, comes down to zero:
+ * the whole thread is then wound and the curve ends. ½π for the cycloid (order 0) and for k = 0.
+ *
+ * There is but one such angle, because all terms but the first grow with tan²φ in size and have the same
+ * sign. `k` is k/a, 1e-10 ≤ k ≤ 1e10 or zero. The error is at most 4 ulps.
+ * @throws std::domain_error unless 0 ≤ order ≤ last_power and k is as it should be
+ */
+double end_of_truncated(int order, double k);
 
 }  // namespace tautochrone

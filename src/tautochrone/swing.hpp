@@ -27,8 +27,8 @@ exact::Fifty excess(const std::function<exact::Fifty(const exact::Fifty&)>& r,
 /// NaN where that radius is below 1e-4 at phi0: there, or just beyond, such a curve has turned back.
 exact::Fifty excess(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k, const exact::Fifty& phi0);
 
-/// By how many seconds a clock is late when it has counted a day, if it was set by infinitely small swings and
-/// its swings take 1 + excess times as long.
+/// By how many seconds a clock is late when it has counted a day, if it was set by infinitely small
+/// swings and its swings take 1 + excess times as long.
 inline double late_in_a_day(const exact::Fifty& excess)
 {
   return 86400 * static_cast<double>(excess);

@@ -1,0 +1,125 @@
+#pragma once
+/** @file
+ * The body on its wound thread (§§8 to 18): speeds, accelerations, the places Z and H, the forces.
+ *
+ * Lengths are in units of a, forces in units of the body's weight. Euler's clock: the velocity is the
+ * square root of the height fallen, so that g = ½ and a force P gives the acceleration ½P/M.
+ */
+#include <cmath>
+
+namespace tautochrone
+{
+
+/**
+ * A place of a swing, as far as the mechanics needs it: the angle, the radius of curvature r = MG, how
+ * fast that shortens, −dr/dφ over sin φ (on a cycloid 1, on a circle 0; finite in the lowest point), and
+ * c − x, how far G has still to rise.
+ */
+template <class Real>
+struct Posture
+{
+  Real sin;         ///< sin φ
+  Real cos;         ///< cos φ
+  Real r;           ///< MG
+  Real shortening;  ///< −dr/(dφ sin φ), not negative where the thread winds itself on the cheek
+  Real to_rise;     ///< c − x, not negative
+};
+
+// [motion]
+/// (dφ/dt)², by the integral of §17. Domain: k ≥ 0, kk + rr > 0. A few ulps off.
+template <class Real>
+Real turning2(const Posture<Real>& at, const Real& k)
+{
+  return at.to_rise / (k * k + at.r * at.r);
+}
+
+/// v, the height due to the velocity of G (§18).
+template <class Real>
+Real speed_height(const Posture<Real>& at, const Real& k)
+{
+  return at.r * at.r * turning2(at, k);
+}
+
+/// 2ddφ/dt², from the equation of §17; negative in the upper part of the rise, zero in the lowest point.
+template <class Real>
+Real twice_acceleration(const Posture<Real>& at, const Real& k)
+{
+  const Real wound = 1 - 2 * at.shortening * turning2(at, k);
+  return -at.r * at.sin * wound / (k * k + at.r * at.r);
+}
+
+/// P over the weight, the force at right angles to MG that would do what gravity does (§16). Both its
+/// terms are positive where the thread winds itself on the cheek.
+template <class Real>
+Real force(const Posture<Real>& at, const Real& k)
+{
+  const Real kk = k * k, rr = at.r * at.r;
+  return at.sin * (rr + 2 * kk * at.shortening * turning2(at, k)) / (kk + rr);
+}
+
+/// GH = kk/MG, of the centre of oscillation for the axis M (§10). Domain: r > 0.
+template <class Real>
+Real GH(const Posture<Real>& at, const Real& k)
+{
+  return k * k / at.r;
+}
+
+/// GZ, where the force P must attack (§15), on any cheek; in the lowest point its limit. It loses digits
+/// where Z comes near to G; on cycloids cycloidal_GZ() does not.
+template <class Real>
+Real GZ(const Posture<Real>& at, const Real& k)
+{
+  const Real kk = k * k, turning = 2 * at.shortening * turning2(at, k);
+  return kk * at.r * (1 - turning) / (at.r * at.r + kk * turning);
+}
+// [motion]
+
+/// The pull along the thread over the weight: cos φ and what bends the path of G.
+template <class Real>
+Real tension(const Posture<Real>& at, const Real& k)
+{
+  return at.cos + 2 * at.r * turning2(at, k);
+}
+
+/// What the free part must bear across at M, over the weight, because the body is made to turn with it; a
+/// thread that is limp cannot. R = −kk·2ddφ/(r dt²).
+template <class Real>
+Real across(const Posture<Real>& at, const Real& k)
+{
+  return -k * k * twice_acceleration(at, k) / at.r;
+}
+
+/**
+ * A place of a swing out to φ₀ on Huygens's cheeks, c − x as a product of two sines.
+ *
+ * Domain: 0 ≤ |φ| ≤ φ₀ < ½π. All quantities above are then good to 1e-14 of themselves in double, but GZ
+ * near Z = G.
+ */
+template <class Real>
+Posture<Real> on_cycloids(const Real& phi0, const Real& phi)
+{
+  using std::cos, std::sin;
+  return {sin(phi), cos(phi), cos(phi), Real(1), sin(phi0 - phi) * sin(phi0 + phi) / 2};
+}
+
+/// A place of a swing out to φ₀ on a fixed axis. Domain: 0 ≤ |φ| ≤ φ₀ ≤ π.
+template <class Real>
+Posture<Real> on_circle(const Real& phi0, const Real& phi)
+{
+  using std::cos, std::sin;
+  return {sin(phi), cos(phi), Real(1), Real(0), 2 * sin((phi0 - phi) / 2) * sin((phi0 + phi) / 2)};
+}
+
+/**
+ * GZ on Huygens's cheeks: kk c(kk + c₀²)/(c²(kk + c²) + kk(c² − c₀²)), c = cos φ. Every term is positive,
+ * so that Z never reaches G there. Domain: 0 ≤ |φ| ≤ φ₀ < ½π. In double good to 1e-14 of itself.
+ */
+template <class Real>
+Real cycloidal_GZ(const Real& k, const Real& phi0, const Real& phi)
+{
+  using std::cos, std::sin;
+  const Real kk = k * k, c = cos(phi), cc = c * c, c0 = cos(phi0);
+  return kk * c * (kk + c0 * c0) / (cc * (kk + cc) + kk * sin(phi0 - phi) * sin(phi0 + phi));
+}
+
+}  // namespace tautochrone
