@@ -1,6 +1,7 @@
 #include "edition/section.hpp"
 #include "pendulum/reckoning.hpp"
 #include "pendulum/three_members.hpp"
+#include "swing/oracle.hpp"
 
 SECTION(pendulum, 35, "Second example: three logarithms and an antilogarithm")
 
@@ -18,7 +19,7 @@ $$ 1{,}00001904 \cdot 2{,}3601799 \cdot 2{,}30258509. \tag{1} $$
 
 By logarithms,
 
-$$ \begin{aligned} l\,1{,}00001904 &= 0{,}0000082 \\ l\,2{,}30258509 &= 0{,}3622157 \\ l\,2{,}3601799 &= 0{,}3729452 \\
+$$ \begin{aligned} l\,1{,}00001904 &= 0{,}0000082 \\ l\,2{,}30258509 &= 0{,}3622157 \\ l\,2{,}3601799 &= 0{,}3729452{{entry third_logarithm}} \\
    l\,\text{membr. I} &= 0{,}7351691 \\ \text{membr. I} &= 5{,}43461. \end{aligned} \tag{2} $$
 
 Here one can watch him round.
@@ -79,7 +80,7 @@ TELL
 {
   const Fifty alpha = swing_.eta.fifty() / 2;
   tell("common", double(common_logarithm_of_cotangent(alpha)), "the common logarithm of cot ½α");
-  tell("first", double(three_members(alpha, 200).first), "the first member, exactly");
+  tell("first", double(three_members(alpha, 200).first), "the first member");
   tell("antilogarithm", double(sum_of_the_printed().number()),
        "the number whose logarithm is the sum of the printed");
 }
@@ -149,3 +150,46 @@ const Erratum third_logarithm{"§35, l 2,3601799",
                                 return augmented_logarithm(Fifty("2.3601799"))
                                        == within(reading, 0.5e-7, "half a unit of the last place");
                               }};
+
+/*!
+What is told, at 1° and elsewhere, from the cotangent's sine and cosine and the oracle's time:
+*/
+
+CHECK_THAT("the logarithm and the member told are the true ones, and the last column the true logarithms")
+{
+  const Fifty ten = log(Fifty(10)),
+              printed_sum = Fifty("0.0000082") + Fifty("0.3622157") + Fifty("0.3729452");
+  for(const Told& now : told_at("", "eta=5", "eta=90"))
+  {
+    const Fifty eta = swing_.eta.fifty(), cotangent = (1 + cos(eta / 2)) / sin(eta / 2);
+    CHECK(now.value("common") == within_relative(log(cotangent) / ten, 2e-16, "rounded to a double"));
+    const Fifty first = log(cotangent) * swing::oracle::ratio_from_bottom(eta);
+    CHECK(now.value("first") == within_relative(first, 2e-16, "rounded to a double"));
+    CHECK(now.value("antilogarithm")
+          == within_relative(exp(printed_sum * ten), 2e-16, "rounded to a double"));
+    for(const auto& row : now.rows("look_ups"))
+      CHECK(row.value("true") == within_relative(log(Fifty(row.words("number"))) / ten, 2e-16, "rounded"));
+  }
+}
+
+CHECK_THAT("the figure shows two thirds below, almost nothing, nearly one above, and a third")
+{
+  for(const Told& now : told_at(""))
+  {
+    const auto points = now.points("off");
+    REQUIRE(points.size() == 4);
+    const Fifty ten = log(Fifty(10));
+    Fifty sum = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      std::string decimal = look_ups[i].printed;
+      decimal[decimal.find(',')] = '.';
+      const Fifty off = (Fifty(decimal) - log(Fifty(look_ups[i].number)) / ten) * 10'000'000;
+      CHECK(points[i].value("line") == within(Fifty(static_cast<int>(i) + 1), 0, "a count"));
+      CHECK(points[i].value("off")
+            == within_relative(off, 1e-12, "fifty digits, a printed one less a true"));
+      sum += off;
+    }
+    CHECK(points[3].value("off") == within_relative(sum, 1e-12, "errors add"));
+  }
+}
