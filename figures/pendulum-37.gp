@@ -13,7 +13,7 @@ set label "his series, 1000 terms" at 4.4, 0.02 right textcolor linetype 4
 set label "100 terms" at 13, 0.02 right textcolor linetype 4
 set label "10 terms" at 24.5, 0.2 right textcolor linetype 4
 plot 0.5e-5 with lines linetype 6, \
-     tsv("pendulum-37.left_out") using "eta":"three" with lines linetype 3, \
+     tsv("pendulum-37.methods") using "eta":"three" with lines linetype 3, \
      "" using "eta":"four" with lines linetype 3 dashtype (6, 3), \
      "" using "eta":"s10" with lines linetype 4, \
      "" using "eta":"s100" with lines linetype 4, \

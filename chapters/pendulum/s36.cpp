@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "pendulum/reckoning.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 36, "Second example: the last members, and a lost result")
@@ -12,7 +13,7 @@ using namespace pendulum;
 Euler works out the last two members of the second example; then the copy breaks off. The second member is the
 hyperbolic logarithm of two multiplied by $\cos\alpha$,
 
-$$ \begin{aligned} l\,0{,}6931472 &= 9{,}8408253 \\ l\cos\alpha &= 9{,}9999835 \\ l\,\text{membr. II} &= 9{,}8408088 \\
+$$ \begin{aligned} l\,0{,}6931472 &= 9{,}8408253 \\ l\cos\alpha{{entry cosine}} &= 9{,}9999835 \\ l\,\text{membr. II} &= 9{,}8408088 \\
    \text{membr. II} &= 0{,}69312, \end{aligned} \tag{1} $$
 
 and multiplied by $\tfrac34\sin^2\alpha$ it gives the third,
@@ -20,15 +21,15 @@ and multiplied by $\tfrac34\sin^2\alpha$ it gives the third,
 $$ \begin{aligned} l\,\text{membr. II} &= 9{,}8408088 \\ l\,\tfrac34 &= 9{,}8750613 \\ l\sin^2\alpha &= 5{,}8816838 \\
    l\,\text{membr. III} &= 5{,}5975539 \\ \text{membr. III} &= 0{,}00004. \end{aligned} \tag{2} $$
 
-After the first word of the next sentence the copy goes on in the middle of {{sec pendulum.37}}. In between
+After the first word of the next sentence {{entry lost_result}} the copy goes on in the middle of {{sec pendulum.37}}. In between
 Euler must have collected the members, as he does in {{sec pendulum.33}}. Those that he prints add up to
 
-$$ 5{,}43461 + 0{,}69312 + 0{,}00004 = 6{,}12777, \tag{3} $$
+$$ 5{,}43461 + 0{,}69312 + 0{,}00004 = 6{,}12777, \tag{A} $$
 
 and this, or nearly this, will have been his $T/\Theta$. Here too the factor of {{sec pendulum.29}} is
 missing:
 
-$$ T = \tfrac2\pi\cdot 6{,}12777\,\Theta = {{mended|6}}\,\Theta. \tag{4} $$
+$$ T = \tfrac2\pi\cdot 6{,}12777\,\Theta = {{mended|6}}\,\Theta. \tag{B} $$
 
 ## The program
 
@@ -42,19 +43,19 @@ std::vector<Line> reckoning(const Fifty& alpha)  // (1), (2)
                               "5,5975539", "0,00004"});
 }
 
-constexpr double restored_sum = 5.43461 + 0.69312 + 0.00004;  // (3)
+constexpr double restored_sum = 5.43461 + 0.69312 + 0.00004;  // (A)
 
 const auto swing_ = amplitude_from_top(1_deg, closed(90_deg, 179.9_deg));
-const auto Theta = real("Theta", 1.0, seconds, positive, "time of one infinitely small swing");
+const auto Theta = real("Theta", 1.0, seconds, scale, "time of one infinitely small swing");
 
 TELL
 {
   tell_lines("lines", "the reckoning, line by line", reckoning(swing_.eta.fifty() / 2),
              swing_.eta == 1_deg);
   tell("restored", restored_sum, "the sum of the members printed for 1°: inferred, not in the copy");
-  tell("mended", 2 / std::numbers::pi * restored_sum, "T/Θ for 1° by that sum");  // (4)
+  tell("mended", 2 / std::numbers::pi * restored_sum, "T/Θ for 1° by that sum");  // (B)
   tell("T_over_Theta", ratio_by_mean(swing_.eta.fifty()), "T/Θ to thirty digits");
-  tell("T", Theta * swing::ratio({swing_.zeta, swing_.eta}), seconds, "one swing, exactly");
+  tell("T", Theta * swing::ratio({swing_.zeta, swing_.eta}), seconds, "one swing");
 }
 
 TELL
@@ -128,3 +129,54 @@ const Emendation cosine{"§36, the second factor, in text and reckoning",
                           return std::log10(reading) + 10
                                  == within(9.9999835, 0.5e-7, "half a unit of the last place");
                         }};
+
+/*!
+The true column is formed once more from the angle alone, and the times from the oracle's.
+*/
+
+CHECK_THAT("the truths told are those of the members, and the times those of the swing")
+{
+  for(const Told& now : told_at("", "eta=5 Theta=2", "eta=60 Theta=1e-50"))
+  {
+    const Fifty alpha = swing_.eta.fifty() / 2, ten = log(Fifty(10)),
+                T = swing::oracle::ratio_from_top(2 * alpha);
+    const auto augmented = [&](const Fifty& x) { return log(x) / ten - 10 * floor(log(x) / ten / 10); };
+    const Fifty square = (1 - cos(2 * alpha)) / 2, second = sqrt(1 - square) * exact::ln2();
+    const std::array<Fifty, 8> truth{augmented(Fifty("0.6931472")),
+                                     augmented(cos(alpha)),
+                                     augmented(second),
+                                     second,
+                                     augmented(Fifty("0.75")),
+                                     augmented(square),
+                                     augmented(Fifty("0.75") * square * second),
+                                     Fifty("0.75") * square * second};
+    const auto rows = now.rows("lines");
+    for(std::size_t i = 0; i < truth.size(); ++i)
+      CHECK(rows.at(i).value("true") == within_relative(truth[i], 2e-16, "rounded to a double"));
+    CHECK(now.value("restored") == within(Fifty("6.12777"), 1e-15, "three decimals added in doubles"));
+    CHECK(now.value("mended")
+          == within_relative(Fifty("6.12777") * 2 / exact::pi(), 4e-16, "and a product"));
+    CHECK(now.value("T_over_Theta") == within_relative(T, 1e-45, "two ways of fifty digits"));
+    CHECK(now.value("T", seconds)
+          == within_relative(Theta.fifty() * T, 4e-16, "the library's ulp, a product"));
+  }
+}
+
+CHECK_THAT("the curves are the swing and Euler's rule, and the dots his examples")
+{
+  for(const Told& now : told_at(""))
+    for(const char* const drawn : {"swings", "examples"})
+      for(const auto& point : now.points(drawn, 6))
+      {
+        const Fifty eta = Fifty(point.at("eta")) * exact::pi() / 180,
+                    T = swing::oracle::ratio_from_top(eta);
+        CHECK(point.value("exact")
+              == within_relative(T, 5e-16, "η in radians rounds, and the library's ulp"));
+        const Fifty rule = exact::pi() / 2 * T;
+        const double s = std::sin(static_cast<double>(eta) / 2),
+                     dot = point.at("eta") == 1 || point.at("eta") == 5;
+        CHECK(point.value("euler")
+              == within(rule, 0.44 * std::pow(s, 4) / std::sqrt(1 - s * s) + dot * 2e-5 + 4e-15,
+                        "the members' bound"));
+      }
+}

@@ -1,6 +1,7 @@
 #include "edition/section.hpp"
 #include "pendulum/columns.hpp"
 #include "pendulum/three_members.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 37, "How far each of his two methods reaches")
@@ -12,7 +13,7 @@ using namespace pendulum;
 
 The nearer the swing comes to the whole circle, the longer it lasts and the less work it is to compute; for
 smaller swings, where the work grows, Euler goes back to the series of the dissertation. When $\alpha$ is so
-great that the terms with $\sin^6\alpha$ can no longer be neglected, the new method cannot even give the time
+great that the terms with $\sin^6\alpha$ {{entry power}} can no longer be neglected, the new method cannot even give the time
 exactly. For the sums of the fourth and later columns would demand all too intricate calculations, and no
 device of analysis has been found that would lighten the labour.
 
@@ -80,8 +81,8 @@ const auto swing_ = amplitude_from_top(30_deg, closed(1_deg, 179.5_deg));
 
 TELL
 {
-  tell("three_reach", reach(2), degrees, "η up to which the three members give K to five decimals");
-  tell("four_reach", reach(3), degrees, "the same with the fourth column");
+  tell("three_reach", reach(2), degrees, "η up to which the three members give K to five decimals", 9);
+  tell("four_reach", reach(3), degrees, "the same with the fourth column", 9);
   tell("terms_there", terms_needed(reach(2)),
        "terms of (1) for five decimals where the three members give up");
   tell("terms_120", terms_needed(60_deg), "the same at ζ = 120°");
@@ -91,7 +92,7 @@ TELL
 
 TELL
 {
-  curve("left_out", {"eta", "three", "four", "s10", "s100", "s1000"}, [](Curve& c) {
+  curve("methods", {"eta", "three", "four", "s10", "s100", "s1000"}, [](Curve& c) {
     for(double eta = 1; eta < 150; eta *= 1.03)
       c.put({eta, left_out(eta * 1_deg, 2), left_out(eta * 1_deg, 3), left_out_by_series(eta * 1_deg, 10),
              left_out_by_series(eta * 1_deg, 100), left_out_by_series(eta * 1_deg, 1000)});
@@ -162,6 +163,70 @@ const Undecided power{
     {"sin⁴α", 4},
     "where the column with either comes to a unit of the fifth decimal, the three members fail",
     [](double exponent) {
-      const double S = column_sums<double>(4)[std::size_t(exponent) / 2];
+      if(exponent < 2)
+        return false;  // no column has it
+      const double S = column_sums<double>(8)[std::size_t(exponent) / 2];
       return 2 * std::asin(std::pow(1e-5 / S, 1 / exponent)) > reach(2);
     }};
+
+/*!
+What is told is judged by the oracle's time: just below each limit that is told less than half a unit is left out, and
+just above it more; of terms, one fewer is too few.
+*/
+
+Fifty beyond_columns(const Fifty& eta, int columns)
+{
+  const Fifty K = swing::oracle::K_from_complement(sin(eta / 2));
+  return K - sum_by_columns(eta / 2, columns);
+}
+
+Fifty beyond_terms(const Fifty& eta, int terms)
+{
+  const Fifty K = swing::oracle::K_from_complement(sin(eta / 2));
+  return K - exact::pi() / 2 * series(pow(cos(eta / 2), 2), terms);
+}
+
+CHECK_THAT(
+    "the limits and the numbers of terms told are those at which half a unit of five decimals is left out")
+{
+  const Fifty half_unit("0.5e-5");
+  for(const Told& now : told_at("", "eta=1", "eta=120"))
+  {
+    const auto limit = [&](int columns) {
+      Fifty low = Fifty(0.01), high = Fifty(1.2);
+      for(int i = 0; i < 60; ++i)
+        (beyond_columns((low + high) / 2, columns) < half_unit ? low : high) = (low + high) / 2;
+      return low;
+    };
+    CHECK(now.value("three_reach", degrees) == within(limit(2), 1e-10, "where K's ulps hide the limit"));
+    CHECK(now.value("four_reach", degrees) == within(limit(3), 1e-10, "where K's ulps hide the limit"));
+    const auto fewest = [&](const Fifty& eta, int told) {
+      return beyond_terms(eta, told) <= half_unit && beyond_terms(eta, told - 1) > half_unit;
+    };
+    CHECK(fewest(swing_.eta.fifty(), terms_needed(swing_.eta)));
+    CHECK(now.value("terms") == terms_needed(swing_.eta));
+    CHECK(fewest(exact::pi() / 3, terms_needed(60_deg)));
+    CHECK(now.value("terms_120") == terms_needed(60_deg));
+    CHECK(fewest(limit(2), terms_needed(reach(2))));
+    CHECK(now.value("terms_there") == terms_needed(reach(2)));
+    const Fifty K = swing::oracle::K_from_complement(sin(swing_.eta.fifty() / 2));
+    CHECK(now.value("left_out")
+          == within(beyond_columns(swing_.eta.fifty(), 2), 2e-15 * static_cast<double>(K),
+                    "K less its sum, rounded"));
+  }
+}
+
+CHECK_THAT("the figure has what each method leaves out")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("methods", 5))
+    {
+      const Fifty eta = Fifty(point.at("eta")) * exact::pi() / 180;
+      const char* const why = "differences of rounded numbers of the size of K";
+      CHECK(point.value("three") == within(beyond_columns(eta, 2), 6e-15, why));
+      CHECK(point.value("four") == within(beyond_columns(eta, 3), 6e-15, why));
+      CHECK(point.value("s10") == within(beyond_terms(eta, 10), 1e-14, why));
+      CHECK(point.value("s100") == within(beyond_terms(eta, 100), 4e-14, why));
+      CHECK(point.value("s1000") == within(beyond_terms(eta, 1000), 2e-13, why));
+    }
+}

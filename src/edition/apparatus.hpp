@@ -52,7 +52,7 @@ inline constexpr Shown not_shown = Shown::not_there;
 /// An entry of the apparatus: a place, what our copy has there, what is right, and the proof, a function
 /// of the number that a reading yields. The proof must fail with what the copy has and with readings that
 /// are neither (the right number changed by a sixteenth of itself, doubled, with the other sign), and hold
-/// with what is right; for an undecided reading it must hold with both. The programs' checks try all of them.
+/// with what is right; for an undecided reading it must hold with both, and fail with one of the others. The programs' checks try all of them.
 struct Entry
 {
   Kind kind;                          ///< Whose slip it is.

@@ -122,7 +122,7 @@ struct EntryTried
   const Entry* entry;
   bool copy_holds;
   bool right_holds;
-  bool third_holds;  ///< Whether a reading holds that is neither.
+  bool third_holds;  ///< Whether a reading holds that is neither; of an undecided one, whether all do.
   Claim claim;       ///< What the proof compared last, with the right reading.
   bool passed;
 };
@@ -133,9 +133,13 @@ EntryTried attempt(const Entry& e)
   const double copy = e.copy.yields();
   const double right = e.right.yields();
   const bool copy_holds = e.holds(copy);
-  bool third_holds = false;
+  std::vector<bool> others;
   for(const double other : {right * 1.0625, right * 0.9375, 2 * right + (right == 0 ? 1 : 0), -right})
-    third_holds = third_holds || (other != right && other != copy && e.holds(other));
+    if(other != right && other != copy)
+      others.push_back(e.holds(other));
+  const auto holds = [](bool held) { return held; };
+  const bool third_holds = e.kind == Kind::undecided ? std::all_of(others.begin(), others.end(), holds)
+                                                     : std::any_of(others.begin(), others.end(), holds);
   take_last_claim();
   const bool right_holds = e.holds(right);
   const bool expected = e.kind == Kind::undecided ? copy_holds : !copy_holds;
