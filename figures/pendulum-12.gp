@@ -9,6 +9,6 @@ set ylabel "terms or steps"
 set label "Euler's series" at 11, 3000 right textcolor linetype 2
 set label "after one step of Landen's" at 1.25, 700 right textcolor linetype 1
 set label "steps of the mean" at 1.3, 2.2 right textcolor linetype 3
-plot tsv("pendulum-12.needed") using "eta":"series" with lines linetype 2, \
+plot tsv("pendulum-12.counts") using "eta":"series" with lines linetype 2, \
      "" using "eta":"landen" with lines linetype 1, \
      "" using "eta":"mean" with steps linetype 3

@@ -4,6 +4,7 @@
 #include "exact/series.hpp"
 #include "pendulum/series.hpp"
 #include "pendulum/tail.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 12, "How long, when the swing nearly reaches the top?")
@@ -19,7 +20,7 @@ infinity as $\zeta$ grows to 180°. He is now curious how great it is when $\zet
 that $c = \sin\tfrac12\zeta$ falls short of one by next to nothing. The series that was found,
 
 $$ T = \frac{\pi\sqrt b}{\sqrt{2g}}\left(1 + \frac{1^2}{2^2}c^2 + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4
-   + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6 + \text{etc.}\right), \tag{1} $$
+   + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6 + \text{etc.}\right){{entry squares}}, \tag{1} $$
 
 does have a finite sum; but its terms decrease too slowly for one to find the sum from them, even roughly.
 Nor does he see a way to transform the series into another whose sum could be had exactly enough.
@@ -52,7 +53,7 @@ Landen's transformation, $K(c) = (1+q)K(q)$.
 :::
 
 $$ \frac T\Theta = (1+q)\left(1 + \frac{1^2}{2^2}q^2 + \frac{1^2\cdot3^2}{2^2\cdot4^2}q^4
-   + \text{etc.}\right), \tag{2} $$
+   + \text{etc.}\right), \tag{A} $$
 
 the same series, with the square of the tangent of the quarter angle in the place of the sine of the half.
 At {{zeta}} that takes $c = {{c}}$ down to $q = {{q}}$; and it can be done again and again. Done to the end
@@ -65,7 +66,7 @@ Real landen(Real s)  // q
   return (1 - s) / (1 + s);
 }
 
-double series_after_landen(double s, int terms)  // (2)
+double series_after_landen(double s, int terms)  // (A)
 {
   const double q = landen(s);
   return (1 + q) * series(q * q, terms);
@@ -92,7 +93,7 @@ TELL
 {
   const double s = std::sin(swing_.eta / 2), c = std::cos(swing_.eta / 2);
   tell("c", c, "the quantity in whose powers (1) proceeds");
-  tell("q", landen(s), "and that of (2)");
+  tell("q", landen(s), "and that of (A)");
   tell("T_over_Theta", swing::ratio({swing_.zeta, swing_.eta}),
        "one swing, the infinitely small one being 1");
   tell("steps", steps_of_the_mean(swing_.eta, part), "steps of the mean that are needed");
@@ -100,18 +101,17 @@ TELL
     return;  // counting would take too long
   tell("ten_closed", series(1 - s * s, 10) + tail_bound(c, s, 10),
        "ten terms of (1), and B of §8 for the rest");
-  tell("needed", terms_needed(1 - Fifty(s) * s, part), "terms of (1) that are needed");
-  tell("needed_landen", terms_needed(pow(landen(Fifty(s)), 2), part), "the same of (2)");
+  tell("needed", terms_needed(pow(cos(swing_.eta.fifty() / 2), 2), part), "terms of (1) that are needed");
+  tell("needed_landen", terms_needed(pow(landen(sin(swing_.eta.fifty() / 2)), 2), part), "the same of (A)");
 }
 
 /*!
-The counts for all amplitudes; then the ways side by side. Among these is {{eq 1}} with its tail closed by
-the bound $B$ of {{sec pendulum.08}}, an arc and a logarithm.
+The counts for all amplitudes:
 */
 
 TELL
 {
-  curve("needed", {"eta", "series", "landen", "mean"}, [](Curve& c) {
+  curve("counts", {"eta", "series", "landen", "mean"}, [](Curve& c) {
     for(double eta = 180_deg; eta > 1_deg; eta /= 1.08)
     {
       const Fifty s = sin(Fifty(eta) / 2);
@@ -119,23 +119,6 @@ TELL
              1.0 * steps_of_the_mean(eta, 1e-5)});
     }
   });
-}
-
-TELL
-{
-  const double eta = swing_.eta, c = std::cos(eta / 2), s = std::sin(eta / 2), cc = 1 - s * s;
-  std::vector<Method> ways;
-  for(const int n : {100, 1000, 4000, 16000})
-    ways.push_back({std::to_string(n) + " terms", [=] { return series(cc, n); }, "series (1)"});
-  for(const int n : {10, 100, 1000})
-    ways.push_back({std::to_string(n) + " terms and B", [=] { return series(cc, n) + tail_bound(c, s, n); },
-                    "series (1) closed"});
-  for(const int n : {5, 46, 107, 170})
-    ways.push_back({"Landen, " + std::to_string(n) + " terms", [=] { return series_after_landen(s, n); },
-                    "series (2)"});
-  ways.push_back({"mean", [=] { return ratio_by_mean(eta); }});
-  ways.push_back({"this edition", [=] { return swing::ratio_from_top(eta); }});
-  race("near_the_top", "T/Θ", ratio_by_mean(Fifty(eta)), ways);
 }
 
 /*!
@@ -149,12 +132,35 @@ alt: Terms needed against the angle from the top, both logarithmic. Euler's seri
 terms at 1 degree, the series after one step to 200; the mean needs four steps.
 
 What it takes to have $T$ to the hundred-thousandth part. Half as far from the top, Euler's series {{eq 1}}
-needs four times as many terms, Landen's {{eq 2}} twice as many; the mean hardly notices.
+needs four times as many terms, Landen's {{eq A}} twice as many; the mean hardly notices.
 :::
 
+## Speed against error
+
+Among the ways is {{eq 1}} with its tail closed by the bound $B$ of {{sec pendulum.08}}, an arc and a logarithm.
+*/
+
+TELL
+{
+  const double eta = swing_.eta, c = std::cos(eta / 2), s = std::sin(eta / 2), cc = 1 - s * s;
+  std::vector<Method> ways;
+  for(const int n : {100, 1000, 4000, 16000})
+    ways.push_back({std::to_string(n) + " terms", [=] { return series(cc, n); }, "series (1)"});
+  for(const int n : {10, 100, 1000})
+    ways.push_back({std::to_string(n) + " terms and B", [=] { return series(cc, n) + tail_bound(c, s, n); },
+                    "series (1) closed"});
+  for(const int n : {5, 46, 107, 170})
+    ways.push_back({"Landen, " + std::to_string(n) + " terms", [=] { return series_after_landen(s, n); },
+                    "series (A)"});
+  ways.push_back({"mean", [=] { return ratio_by_mean(eta); }});
+  ways.push_back({"this edition", [=] { return swing::ratio_from_top(eta); }});
+  race("near_the_top", "T/Θ", ratio_by_mean(swing_.eta.fifty()), ways);
+}
+
+/*!
 ## Checks
 
-The transformation is exact: with $q$ for the variable, $cc = 1 - ss = \frac{4q}{(1+q)^2}$, and {{eq 2}} is
+The transformation is exact: with $q$ for the variable, $cc = 1 - ss = \frac{4q}{(1+q)^2}$, and {{eq A}} is
 an identity between power series.
 */
 
@@ -210,7 +216,7 @@ CHECK_THAT("the mean needs thirteen steps at most, even a part in 10³⁰⁰ fro
 }
 
 /*!
-In the scan {{eq 1}} has lost all its squares, and the coefficient of $c^4$ its 3 besides.
+In our copy {{eq 1}} has lost all its squares, and the coefficient of $c^4$ its 3 besides.
 */
 
 const Emendation squares{"§12, the series",
@@ -223,3 +229,80 @@ const Emendation squares{"§12, the series",
                                         short_by = swing::ratio_from_bottom(60_deg) - reading;
                            return short_by == between(fifth, fifth * 4 / 3, "the geometric series of ¼");
                          }};
+
+/*!
+What is told at 5° from the top, at a right angle and at half a degree:
+*/
+
+CHECK_THAT("the numbers told are the time's, Landen's and the mean's, and one term fewer is not enough")
+{
+  for(const Told& now : told_at("", "eta=90 part=1e-12", "eta=0.5 part=0.001"))
+  {
+    const Fifty eta = swing_.eta.fifty(), T = swing::oracle::ratio_from_top(eta),
+                q = pow(tan((exact::pi() - eta) / 4), 2);
+    CHECK(now.value("c") == within_ulps(cos(eta / 2), 1, "one cosine"));
+    CHECK(now.value("q") == within_ulps(q, 3, "a sine and a quotient"));
+    CHECK(now.value("T_over_Theta") == within_ulps(T, 1, "the library's bound"));
+    const Fifty left = T * part.fifty();
+    const auto is_fewest = [&](int n, const Fifty& square, const Fifty& factor) {
+      return T - factor * series(square, n) <= left && T - factor * series(square, n - 1) > left;
+    };
+    const int needed = terms_needed(pow(cos(eta / 2), 2), part), after = terms_needed(q * q, part);
+    CHECK(is_fewest(needed, pow(cos(eta / 2), 2), 1));
+    CHECK(is_fewest(after, q * q, 1 + q));
+    CHECK(now.value("needed") == needed);
+    CHECK(now.value("needed_landen") == after);
+    const double closed = std::pow(std::cos(swing_.eta / 2), 20) / 300;
+    CHECK(now.value("ten_closed") == between(T - Fifty(1e-14), T + closed, "B is a bound, and comes near"));
+    Fifty a = 1, m = sin(eta / 2);
+    int steps = 0;
+    for(; a * T - 1 > part.fifty(); ++steps)
+      m = sqrt(std::exchange(a, (a + m) / 2) * m);
+    CHECK(now.value("steps") == steps);
+  }
+}
+
+CHECK_THAT("every way of the race is as near as its own bound says")
+{
+  for(const Told& now : told_at("", "eta=90 part=1e-12", "eta=0.6 part=0.001"))
+  {
+    const Fifty eta = swing_.eta.fifty(), T = swing::oracle::ratio_from_top(eta), cc = pow(cos(eta / 2), 2);
+    const Fifty q = pow(tan((exact::pi() - eta) / 4), 2);
+    CHECK(now.exact("near_the_top") == within_relative(T, 1e-45, "two ways of fifty digits"));
+    for(const int n : {100, 1000, 4000, 16000})
+      CHECK(now.method("near_the_top", std::to_string(n) + " terms")
+            == within_relative(series(cc, n), 3e-13, "cc rounds, and a half ulp a term"));
+    for(const int n : {10, 100, 1000})
+    {
+      const Fifty rest = T - series(cc, n);
+      CHECK(now.method("near_the_top", std::to_string(n) + " terms and B")
+            == between(T - Fifty(1e-13), T + rest / 10 + Fifty(1e-13),
+                       "B is above the rest, by a tenth at most"));
+    }
+    for(const int n : {5, 46, 107, 170})
+      CHECK(now.method("near_the_top", "Landen, " + std::to_string(n) + " terms")
+            == within_relative((1 + q) * series(q * q, n), 2e-14, "q rounds, and a half ulp a term"));
+    CHECK(now.method("near_the_top", "mean") == within_ulps(T, 4, "its own bound"));
+    CHECK(now.method("near_the_top", "this edition")
+          == within_ulps(T, 1, "η rounds, and the library's bound"));
+  }
+}
+
+CHECK_THAT("the figure's counts are the fewest terms and steps")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("counts", 4))
+    {
+      const Fifty eta = Fifty(point.at("eta")) * exact::pi() / 180, s = sin(eta / 2),
+                  T = swing::oracle::ratio_from_top(eta);
+      const Fifty q = (1 - s) / (1 + s), left = T * Fifty("1e-5");
+      const auto is_fewest = [&](int n, const Fifty& square, const Fifty& factor) {
+        return T - factor * series(square, n) <= left
+               && (n == 1 || T - factor * series(square, n - 1) > left);
+      };
+      CHECK(is_fewest(static_cast<int>(point.at("series")), 1 - s * s, 1));
+      CHECK(is_fewest(static_cast<int>(point.at("landen")), q * q, 1 + q));
+      CHECK(point.value("mean")
+            == within(Fifty(steps_of_the_mean(static_cast<double>(eta), 1e-5)), 0, "a count"));
+    }
+}

@@ -79,6 +79,11 @@ double ratio_of_modulus(double c)
   return gsl_sf_ellint_Kcomp(c, GSL_PREC_DOUBLE) * 2 / std::numbers::pi;
 }
 
+Cell from_modulus(double c)  // as the table shows it
+{
+  return c < 1 ? Cell(ratio_of_modulus(c)) : Cell("no number");
+}
+
 double lost(double got, double eta)
 {
   return static_cast<double>(abs(got / ratio_by_mean(Fifty(eta)) - 1));
@@ -108,7 +113,7 @@ TELL
       table("rows", "The time of a swing from nearer and nearer to the top",
             {{"eta", "η", radians}, {"ratio", "T/Θ, from η", none, 12}, {"from_c", "from c", none, 12}});
   for(const double eta : {1., 1e-2, 1e-4, 1e-6, 1e-8, 1e-16, 1e-300})
-    rows.row({eta, swing::ratio_from_top(eta), ratio_of_modulus(std::cos(eta / 2))});
+    rows.row({eta, swing::ratio_from_top(eta), from_modulus(std::cos(eta / 2))});
   curve("lost", {"eta", "from_c", "from_eta", "rounding"}, [](Curve& c) {
     for(double eta = 1; eta > 1e-12; eta /= 1.05)
     {
@@ -144,7 +149,7 @@ alt: Relative error of the time against η. From c it grows as the inverse squar
 
 The same time from $c$ and from $\eta$. The grey line is what the rounding of $c$ may cost, whoever
 computes. Below $\eta = 2\cdot10^{-8}$ there is nothing left of $c$ but 1, and the answer is no number. From
-$\eta$ all digits are there.
+$\eta$ nothing is lost.
 :::
 
 ## Checks
@@ -208,4 +213,79 @@ CHECK_THAT("from c GSL loses what the rounding of c may cost, and in the end all
   }
   CHECK(std::cos(2e-8 / 2) == 1);
   CHECK(std::isnan(ratio_of_modulus(1)));
+}
+
+/*!
+What is told at Euler's figure, near the top and far from it; the exact motion says how long the descent takes.
+*/
+
+CHECK_THAT("the letters and times told are those of the exact descent")
+{
+  for(const Told& now : told_at("", "eta=1e-200rad psi=1e-100rad", "eta=100 psi=150"))
+  {
+    const Fifty eta = swing_.eta.fifty(), psi_ = psi.fifty(),
+                K = swing::oracle::K_from_complement(sin(eta / 2));
+    CHECK(now.value("c") == within_ulps(cos(eta / 2), 1, "one cosine"));
+    CHECK(now.value("Phi", degrees)
+          == within(exact::pi() - psi_, 5e-16, "π and the difference are rounded"));
+    CHECK(now.value("z") == within_ulps(cos(psi_ / 2), 1, "one cosine"));
+    CHECK(now.value("descent") == within_ulps(K, 1, "the library's bound"));
+    const auto motion = swing::oracle::Motion::from_eta(eta);
+    const Fifty tau = swing::oracle::time_from_rest_past(psi_ - eta, eta);
+    CHECK(now.value("tau") == within_relative(tau, 2e-15, "the library's bound, six ulps"));
+    CHECK(motion.angle_from_top(tau - K)
+          == within_relative(psi_, 1e-40, "fifty digits, less the tenth of the time"));
+    const Fifty short_of = exact::pi() - Fifty(std::numbers::pi);
+    CHECK(now.value("short_of_pi", radians) == within_ulps(short_of, 0.5, "correctly rounded"));
+    CHECK(now.value("nearest_pi")
+          == within_ulps(swing::oracle::ratio_from_top(short_of), 1, "the library's bound"));
+  }
+}
+
+CHECK_THAT("the table has the times from η, and what the modulus that is a double has for a time")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& row : now.rows("rows"))
+    {
+      const double eta = row.at("eta", radians), c = std::cos(eta / 2);
+      CHECK(row.value("ratio")
+            == within_ulps(swing::oracle::ratio_from_top(Fifty(eta)), 1, "the library's bound"));
+      if(c < 1)
+        CHECK(row.value("from_c")
+              == within_relative(2 / exact::pi() * swing::oracle::K(Fifty(c)),
+                                 3e-10 / eta / eta * 1e-7 + 1e-15, "GSL forms 1 − cc of it"));
+      else
+        CHECK(row.words("from_c") == "no number");
+    }
+}
+
+CHECK_THAT("the figures have the losses, and the circle with its lines")
+{
+  for(const Told& now : told_at(""))
+  {
+    for(const auto& point : now.points("lost", 6))
+    {
+      const Fifty eta(point.at("eta")), s = sin(eta / 2), K = swing::oracle::K_from_complement(s);
+      const Fifty rounding = ldexp(Fifty(1), -54) / (s * s * K);
+      CHECK(point.value("rounding") == within_relative(rounding, 1e-15, "squares and quotients"));
+      CHECK(point.value("from_eta") == between(0, 2e-16, "the library's bound"));
+      if(point.at("eta") > 1e-7)
+        CHECK(point.value("from_c")
+              == between(0, 1.5 * static_cast<double>(rounding) + 6e-16, "as the check above"));
+    }
+    const auto plate = now.points("plate");
+    for(std::size_t i = 0; i < 40; i += 7)
+    {
+      const Fifty x(plate.at(i).at("x"));
+      CHECK(plate.at(i).value("y")
+            == within(-sqrt(1 - x * x) * (plate.at(i).at("y") > 0 ? -1 : 1), 1e-7, "the circle"));
+    }
+    const Fifty ends[] = {sin(swing_.eta.fifty()), cos(swing_.eta.fifty())};
+    bool has_g = false;
+    for(const auto& point : plate)
+      has_g = has_g
+              || (abs(Fifty(std::abs(point.at("x"))) - ends[0]) < 1e-15
+                  && abs(point.at("y") - ends[1]) < 1e-15);
+    CHECK(has_g);
+  }
 }
