@@ -10,5 +10,5 @@ set label "10°" at 0.95, 2.44 right textcolor linetype 1
 set label "45°" at 0.95, 0.88 right textcolor linetype 1
 set label "1° and 10°" at 50, 0.0085 right textcolor linetype 1
 set label "45°" at 115, 0.021 left textcolor linetype 1
-f = tsv("pendulum-18.scaled")
+f = tsv("pendulum-18.falling")
 plot for [name in "J1 J10 J45"] f using "power":name with lines linetype 1

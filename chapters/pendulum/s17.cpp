@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "exact/quadrature.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 17, "The second term adds a quarter")
@@ -12,7 +13,7 @@ the first amount to, he halves the angles once and for all: let $\tfrac12\psi = 
 \alpha$. The series of {{sec pendulum.15}} becomes
 
 $$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega}
-   + \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
+   + \frac12{{entry half}}\cdot\frac{\sin^2\alpha}{\sin^3\omega}
    + \frac{1\cdot3}{2\cdot4}\cdot\frac{\sin^4\alpha}{\sin^5\omega} + \text{etc.}\right), \tag{1} $$
 
 and its first term gives $l\,\dfrac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}$. For
@@ -44,12 +45,12 @@ The first two terms together give
 
 $$ \frac{t\sqrt{2g}}{\sqrt b} = \left(1 + \tfrac14\sin^2\alpha\right)
      l\,\frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}
-   + \tfrac14\cos\alpha - \frac{\cos\omega\,\sin^2\alpha}{4\sin^2\omega}, \tag{5} $$
+   + \tfrac14\cos\alpha - \frac{\cos\omega\,\sin^2\alpha}{4\sin^2\omega}{{entry last_term}}, \tag{5} $$
 
 and for the whole descent, $\omega = 90°$,
 
 $$ \frac{t\sqrt{2g}}{\sqrt b} = \left(1 + \tfrac14\sin^2\alpha\right) l\cot\tfrac12\alpha
-   + \tfrac14\cos\alpha. \tag{6} $$
+   + \tfrac14\cos\alpha{{entry results}}. \tag{6} $$
 
 So the second term has added $\tfrac14\cos\alpha$, which is very nearly ¼: a quantity that is quite notable.
 All the more must the terms that follow be pursued.
@@ -64,18 +65,18 @@ $$ \begin{aligned} \frac{\cos\alpha}{\sin^2\alpha} - \frac{\cos\omega}{\sin^2\om
    &= \frac{2\sin\frac{\omega+\alpha}2\,\sin\frac\delta2\,(1 + \cos\alpha\cos\omega)}
            {\sin^2\alpha\,\sin^2\omega}, \\
    \frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}
-   &= 1 + \frac{\sin\frac12\delta}{\cos\frac12\omega\,\sin\frac12\alpha}. \end{aligned} \tag{7} $$
+   &= 1 + \frac{\sin\frac12\delta}{\cos\frac12\omega\,\sin\frac12\alpha}. \end{aligned} \tag{A} $$
 */
 
 template <class Real>
-Real logarithm(Real alpha, Real delta)  // l(tg ½ω : tg ½α), the first term of (1), by (7)
+Real logarithm(Real alpha, Real delta)  // l(tg ½ω : tg ½α), the first term of (1), by (A)
 {
   using std::cos, std::log1p, std::sin;
   return log1p(sin(delta / 2) / (cos((alpha + delta) / 2) * sin(alpha / 2)));
 }
 
 template <class Real>
-Real scaled_cube(Real alpha, Real delta)  // sin²α times (4), by (7)
+Real scaled_cube(Real alpha, Real delta)  // sin²α times (4), by (A)
 {
   using std::cos, std::sin;
   const Real omega = alpha + delta;
@@ -90,19 +91,26 @@ double two_terms(double alpha, double omega)  // (5), as Euler writes it
          - std::cos(omega) * s * s / (4 * std::pow(std::sin(omega), 2));
 }
 
-const auto swing_ = amplitude_from_top(5_deg);
+double whole_integral(double way,
+                      double eta)  // to the lowest point, if the way leads there or past it by rounding
+{
+  return eta + way < std::numbers::pi ? swing::time_from_rest_past(way, eta)
+                                      : swing::quarter_time_from_top(eta);
+}
+
+const auto swing_ = amplitude_from_top(5_deg, from_below(30_deg, 180_deg));
 const auto psi = angle("psi", 180_deg, above_to(0_deg, 180_deg), "angle from the top that is reached");
 
 TELL
 {
-  require(psi > swing_.eta, "psi", "greater than eta, where the descent begins");
-  const double alpha = swing_.eta / 2, delta = (psi - swing_.eta) / 2;
-  const double exact = swing::time_from_rest_past(2 * delta, swing_.eta);
+  require(psi.fifty() > swing_.eta.fifty(), "psi", "greater than eta, where the descent begins");
+  const double alpha = swing_.eta / 2, delta = static_cast<double>((psi.fifty() - swing_.eta.fifty()) / 2);
+  const double exact = whole_integral(2 * delta, swing_.eta);
   const double first = logarithm(alpha, delta), second = scaled_cube(alpha, delta) / 2;
   tell("first", first, "the first term of (1), integrated");
   tell("second", second, "the second");
   tell("both", first + second, "their sum, t√(2g/b) by (5)");
-  tell("exact", exact, "t√(2g/b), exactly");
+  tell("exact", exact, "t√(2g/b) of the whole integral");
   tell("short_by", exact - first - second, "what the terms that follow must bring");
 }
 
@@ -206,7 +214,7 @@ CHECK_THAT("near the top what two terms leave out tends to ln 2 − ¼")
 }
 
 /*!
-The scan has lost the ½ before the second differential, though it is there in {{sec pendulum.15}} and again
+Our copy has lost the ½ before the second differential, though it is there in {{sec pendulum.15}} and again
 in the result. And it has mangled both results: they lack the $t$ on the left and the $l$ of the logarithm,
 and close the bracket in the wrong place; in the first, moreover, the last term has a stray $A$ and has lost
 a square.
@@ -245,3 +253,47 @@ const Emendation last_term{
       return before - term
              == within_ulps(quadrature(at, 45_deg - at, 1, 0.5), 3, "a logarithm, few roundings");
     }};
+
+/*!
+What is told, at 5°, near the top, for a small swing, and on the way down:
+*/
+
+CHECK_THAT("the terms told are the quadratures of the first two, and the time told is the oracle's")
+{
+  for(const Told& now : told_at("", "eta=1 psi=1.5", "eta=1e-150rad psi=3e-150rad", "zeta=30"))
+  {
+    const Fifty alpha = swing_.eta.fifty() / 2, delta = psi.fifty() / 2 - alpha;
+    const Fifty first = quadrature(alpha, delta, 1, 0), second = quadrature(alpha, delta, 0, 0.5);
+    const Fifty tau = swing::oracle::time_from_rest_past(2 * delta, 2 * alpha);
+    CHECK(now.value("first") == within_ulps(first, 4, "two sines, a quotient, a logarithm"));
+    CHECK(now.value("second") == within_ulps(second, 5, "nothing cancels; a dozen roundings"));
+    CHECK(now.value("both") == within_ulps(first + second, 4, "a sum of both"));
+    CHECK(now.value("exact") == within_relative(tau, 2e-15, "the library's bound, six ulps"));
+    const double size = 2e-15 * static_cast<double>(tau);
+    CHECK(now.value("short_by") == within(tau - first - second, size, "a difference of rounded numbers"));
+  }
+}
+
+CHECK_THAT("the figure has the element and the sums of its terms, times ω")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("integrand", 5))
+      if(point.at("omega") > 1)
+      {
+        const Fifty alpha = exact::pi() / 72, omega = point.at("omega") * alpha, s = sin(omega),
+                    v = pow(sin(alpha) / s, 2);
+        const auto sum = [&](int terms) {
+          Fifty all = 0;
+          for(int n = 0; n < terms; ++n)
+            all += tgamma(Fifty(n) + Fifty(0.5)) / (sqrt(exact::pi()) * tgamma(Fifty(n + 1))) * pow(v, n);
+          return omega / s * all;
+        };
+        CHECK(point.value("terms1") == within_relative(sum(1), 1e-15, "few roundings"));
+        CHECK(point.value("terms2") == within_relative(sum(2), 2e-15, "few roundings"));
+        CHECK(point.value("terms3") == within_relative(sum(3), 2e-15, "few roundings"));
+        CHECK(point.value("terms10") == within_relative(sum(10), 4e-15, "few roundings"));
+        const double near = 1e-15 * (1 + 1 / (point.at("omega") - 1));
+        CHECK(point.value("exact")
+              == within_relative(omega / s / sqrt(1 - v), near, "ω − α of rounded angles"));
+      }
+}

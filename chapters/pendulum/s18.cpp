@@ -10,19 +10,19 @@ SECTION(pendulum, 18, "One lemma for all the terms")
 One lemma serves for the integrals of all the terms: what {{sec pendulum.17}} did for the third power of the
 sine is done here for any. The integral of $d\omega/\sin^{n+1}\omega$ is wanted. Again he assumes its form,
 
-$$ \int\frac{d\omega}{\sin^{n+1}\omega} = \frac{A\cos\omega}{\sin^n\omega} +
+$$ \int\frac{d\omega}{\sin^{n+1}\omega} = \frac{A\cos\omega}{\sin^n\omega}{{entry ansatz}} +
      B\int\frac{d\omega}{\sin^{n-1}\omega}, \tag{1} $$
 
 differentiates, and puts $1 - \sin^2\omega$ for $\cos^2\omega$:
 
 $$ \begin{aligned} \frac{1}{\sin^{n+1}\omega}
-  &= -\frac{A}{\sin^{n-1}\omega} - \frac{nA\cos^2\omega}{\sin^{n+1}\omega} + \frac{B}{\sin^{n-1}\omega} \\
-  &= \frac{(n-1)A}{\sin^{n-1}\omega} - \frac{nA}{\sin^{n+1}\omega} + \frac{B}{\sin^{n-1}\omega}.
+  &= -\frac{A}{\sin^{n-1}\omega}{{entry lost_term}} - \frac{nA\cos^2\omega}{\sin^{n+1}\omega} + \frac{B}{\sin^{n-1}\omega} \\
+  &= \frac{(n-1)A}{\sin^{n-1}\omega}{{entry power}} - \frac{nA}{\sin^{n+1}\omega} + \frac{B}{\sin^{n-1}\omega}.
      \end{aligned} \tag{2} $$
 
 Each of the two powers must balance by itself, so that
 
-$$ A = -\frac1n, \qquad B = \frac{n-1}{n}. \tag{3} $$
+$$ A = -\frac1n, \qquad B = \frac{n-1}{n}{{entry B}}. \tag{3} $$
 
 ::: margin
 Today: the reduction formula for powers of the cosecant, usually found by integration by parts.
@@ -61,9 +61,9 @@ For the whole descent and $n = 2m$ the cosine of ω is gone. What is left is a r
 are positive and the error of one step is diminished by the next:
 
 $$ J_m = \frac{\cos\alpha}{2m} + \frac{2m-1}{2m}\sin^2\alpha\; J_{m-1}, \qquad J_0 = l\cot\tfrac12\alpha.
-     \tag{5} $$
+     \tag{A} $$
 
-::: code pendulum/columns.hpp scaled_integral (5)
+::: code pendulum/columns.hpp scaled_integral (A)
 :::
 */
 
@@ -73,16 +73,16 @@ const auto n = integer("n", 10, 1, 2000, "the lemma's n: the integral of dω/sin
 
 TELL
 {
-  require(psi > swing_.eta, "psi", "greater than eta, where the descent begins");
-  const Fifty alpha = Fifty(swing_.eta) / 2;
-  const Fifty product = scaled(n, alpha, Fifty(psi) / 2);
+  require(psi.fifty() > swing_.eta.fifty(), "psi", "greater than eta, where the descent begins");
+  const Fifty alpha = swing_.eta.fifty() / 2;
+  const Fifty product = scaled(n, alpha, psi.fifty() / 2);
   tell("scaled", product, "sinⁿα times the integral of dω/sinⁿ⁺¹ω");
   tell("integral", product / pow(sin(alpha), static_cast<int>(n)), "the integral itself");
 }
 
 TELL
 {
-  curve("scaled", {"power", "J1", "J10", "J45"}, [](Curve& c) {
+  curve("falling", {"power", "J1", "J10", "J45"}, [](Curve& c) {
     for(int m = 0; m <= 500; m += 1 + m / 12)
       c.put({2. * m + 1, pendulum::scaled_integral(m, 1_deg), pendulum::scaled_integral(m, 10_deg),
              pendulum::scaled_integral(m, 45_deg)});
@@ -165,7 +165,7 @@ CHECK_THAT("the scaled integrals fall like 1/(2m cos α)")
 }
 
 /*!
-The scan has damaged nearly every line of the derivation, but not the lemma at its end. On the left of
+Our copy has damage in four places of the derivation, but none in the lemma at its end. On the left of
 {{eq 2}} it twice writes out the derivative of {{eq 1}}, with the same wrong power. Each reading is tried at
 $n = 4$, $\sin\omega = \tfrac35$, where all numbers are fractions.
 */
@@ -208,3 +208,32 @@ const Emendation B{"§18, (3)",
                    {"B = (n−1)/n", slope_of_ansatz(4, {3, 4})},
                    "(4) has it, and so do the powers in (2)",
                    is_integrand};
+
+/*!
+What is told, by the integral itself:
+*/
+
+CHECK_THAT(
+    "the integral told and its scaled form are those of quadrature, even and odd, near the top and below")
+{
+  for(const Told& now : told_at("", "eta=60 psi=100 n=7", "eta=0.01 n=400", "eta=90 psi=91 n=1"))
+  {
+    const Fifty alpha = swing_.eta.fifty() / 2, J = integral(n, alpha, psi.fifty() / 2);
+    CHECK(now.value("scaled") == within_relative(J, 1e-28, "quadrature over a way that may be long"));
+    CHECK(now.value("integral")
+          == within_relative(J / pow(sin(alpha), static_cast<int>(n)), 1e-28, "the same"));
+  }
+}
+
+CHECK_THAT("the figure's curves are the scaled integrals at 1, 10 and 45 degrees")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("falling", 5))
+    {
+      const int m = static_cast<int>(point.at("power")) / 2;
+      const Fifty right = exact::pi() / 2, degree = exact::pi() / 180;
+      CHECK(point.value("J1") == within_relative(scaled(2 * m, degree, right), 4e-16, "as above"));
+      CHECK(point.value("J10") == within_relative(scaled(2 * m, 10 * degree, right), 4e-16, "as above"));
+      CHECK(point.value("J45") == within_relative(scaled(2 * m, 45 * degree, right), 1e-15, "as above"));
+    }
+}

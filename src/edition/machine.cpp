@@ -58,6 +58,13 @@ ordered_json entries(const Section& s, Kind kind)
   return list;
 }
 
+/// Whether the number is one that no double can be near to.
+bool beyond_doubles(const ToldValue& v)
+{
+  const auto* x = std::get_if<double>(&v.number);
+  return x && isfinite(v.exact) && (std::isinf(*x) || (*x == 0 && v.exact != Fifty(0)));
+}
+
 /// Puts the reason why no claim looks at `key`, where one is declared.
 void excuse(ordered_json& j, const Said& said, const std::string& key)
 {
@@ -159,7 +166,9 @@ std::string as_json(const Section& s)
   {
     const auto* x = std::get_if<double>(&v.number);
     ordered_json value{{"name", v.name},
-                       {"value", x ? number(in_unit(*x, v.unit)) : any_number(v.number)},
+                       {"value", beyond_doubles(v) ? ordered_json(v.text)
+                                 : x               ? number(in_unit(*x, v.unit))
+                                                   : any_number(v.number)},
                        {"unit", v.unit.symbol},
                        {"meaning", v.meaning}};
     if(x)
