@@ -3,7 +3,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { reading, sigla, table, tableEnd, verdict } from './cards.mjs';
-import { escape } from './prose.mjs';
+import { escape, heading, slug } from './prose.mjs';
 import * as speed from './speed.mjs';
 
 const twoDigits = (n) => String(n).padStart(2, '0');
@@ -24,7 +24,8 @@ function map(book, chapter) {
     const thumbnail = s.figures.length
       ? `<img src="thumbnails/${s.figures[0]}.svg" alt="" width="128" height="80" loading="lazy">`
       : '';
-    const marks = s.entries
+    const marks = Object.keys(sigla)
+      .filter((kind) => s.entries.some((e) => e.kind === kind))
       .map((kind) => `<abbr class="siglum" title="${kind}">${sigla[kind]}</abbr>`)
       .join(' ');
     return (
@@ -34,7 +35,11 @@ function map(book, chapter) {
     );
   };
   const numbers = Array.from({ length: chapter.sections }, (_, i) => i + 1);
-  return `<h2 id="sections">The sections</h2>\n<ol class="map">\n${numbers.map(entry).join('\n')}\n</ol>\n`;
+  const needs = book.read(`chapters/${chapter.id}/map.md`)
+    ? `<p><a href="${chapter.id}-map.html">What needs what</a>: a drawn map, a route of a few sections, and the ` +
+      `argument in today's notation.</p>\n`
+    : '';
+  return `${heading('The sections', 'sections')}${needs}<ol class="map">\n${numbers.map(entry).join('\n')}\n</ol>\n`;
 }
 
 /** The four chapters, for the front page. */
@@ -53,27 +58,20 @@ function chapters(book) {
 
 /** All errata, emendations, doubtful and undecided readings, by kind and chapter. */
 function apparatus(book) {
-  const kinds = [
-    ['erratum', 'errata', 'Errata'],
-    ['emendation', 'emendations', 'Emendations'],
-    ['doubtful', 'doubtful', 'Doubtful'],
-    ['undecided', 'undecided', 'Undecided'],
-  ];
-  return kinds
-    .map(([kind, list, heading]) => {
-      const found = [...book.sections.values()].flatMap((s) => s.told[list].map((e, i) => [s, e, i + 1]));
-      const items = found.map(([s, e, i]) => {
+  const kinds = { erratum: 'Errata', emendation: 'Emendations', doubtful: 'Doubtful', undecided: 'Undecided' };
+  return Object.entries(kinds)
+    .map(([kind, title]) => {
+      const found = [...book.sections.values()].flatMap((s) =>
+        s.entries.filter((e) => e.kind === kind && e.declared && e.tried).map((e) => [s, e]),
+      );
+      const items = found.map(([s, e]) => {
         const home =
-          ` <a href="${s.name}.html#${kind}-${i}">` +
+          ` <a href="${s.name}.html#${e.to}">` +
           `${escape(book.chapters.find((c) => c.id === s.chapter).short)}</a>`;
-        return `<li>${reading(
-          e,
-          s.check.apparatus.find((a) => a.kind === kind && a.where === e.where),
-          home,
-        )}</li>`;
+        return `<li>${reading(e.declared, e.tried, book.formulas, { home })}</li>`;
       });
       return (
-        `<h2 id="${list}">${heading}</h2>\n` +
+        heading(`${title}${items.length ? ` <span class="count">${items.length}</span>` : ''}`, slug(title)) +
         `${items.length ? `<ul class="entries">\n${items.join('\n')}\n</ul>` : '<p>None yet.</p>'}\n`
       );
     })
@@ -84,7 +82,7 @@ function apparatus(book) {
  * Every section there is in the four papers: program, checks, figure or the reason for none, page; or "not
  * yet".
  */
-function concordance(book) {
+function sections(book) {
   return book.chapters
     .map((c) => {
       const rows = Array.from({ length: c.sections }, (_, i) => {
@@ -102,7 +100,7 @@ function concordance(book) {
         );
       });
       return (
-        `<h2 id="${c.id}">${escape(c.title)}</h2>\n` +
+        heading(escape(c.title), c.id) +
         `${table(`Sections of ${c.short}`, ['', 'page', 'program', 'checks', 'figures'])}${rows.join('\n')}` +
         `${tableEnd}`
       );
@@ -115,11 +113,74 @@ function colophon(book) {
   const made = JSON.parse(fs.readFileSync(path.join(book.build, 'made-with.json'), 'utf8'));
   const lock = JSON.parse(fs.readFileSync(path.join(book.source, 'book/package-lock.json'), 'utf8')).packages;
   for (const name of Object.keys(lock[''].dependencies)) made[name] = lock[`node_modules/${name}`].version;
-  const rows = Object.entries(made).map(
+  const rows = Object.entries({ 'this edition': book.version, ...made }).map(
     ([name, version]) =>
       `<tr><th scope="row">${escape(name)}</th><td class="word">${escape(version)}</td></tr>`,
   );
   return `${table('Made with', ['what', 'which'])}${rows.join('\n')}${tableEnd}`;
+}
+
+/** The glossary's entries: `term`, then lines that begin with `: `; from book/glossary.md and the chapters' own. */
+function terms(book) {
+  const found = new Map();
+  const files = ['book/glossary.md', ...book.chapters.map((c) => `chapters/${c.id}/glossary.md`)];
+  files.forEach((file, i) => {
+    let line = 1;
+    for (const entry of (book.read(file) ?? '').split(/\n\s*\n/)) {
+      const [, term, text] = /^\s*(\S.*)\n: *([^]+)$/.exec(entry) ?? [];
+      if (term && !found.has(slug(term)))
+        found.set(slug(term), { term, text, file, line: line + 1, chapter: book.chapters[i - 1]?.id });
+      else if (entry.trim())
+        book.fault(file, line, term ? `a second entry for ${term}` : 'an entry is a line with the term, then ": " and what it means');
+      line += entry.split('\n').length + 1;
+    }
+  });
+  return found;
+}
+
+/** `{{collected glossary}}`: all terms, in the order of the alphabet. */
+function glossary(book, _, page) {
+  const items = [...book.terms]
+    .sort(([a], [b]) => (a < b ? -1 : 1))
+    .map(([id, { term, text, file, line, chapter }]) => {
+      const p = book.page(file, chapter);
+      const meaning = p.html(text.replace(/^[:] ?|\n: ?/g, '\n').trim(), line);
+      for (const [name, number] of p.numbers) page.numbers.set(name, number);
+      return `<dt id="term-${id}">${escape(term)}</dt>\n<dd>${meaning}</dd>`;
+    });
+  return `<dl class="glossary">\n${items.join('\n')}\n</dl>\n`;
+}
+
+/** `{{collected notation}}`: each chapter's own table; every row names where its letter is first used. */
+function notation(book, _, page) {
+  page.headings = [];
+  return book.chapters
+    .map((c) => {
+      const file = `chapters/${c.id}/notation.md`;
+      const text = book.read(file);
+      if (!text) return '';
+      const rows = text.split('\n');
+      const placed = /\| *first *\|/.test(rows[0]);
+      rows.forEach((row, i) => {
+        if (!placed) return;
+        const head = /^\|[\s:|-]+$/.test(rows[i + 1] ?? '');
+        if (/^\|/.test(row) && !head && !/^\|[\s:|-]+$/.test(row) && !/\{\{(sec|eq) /.test(row))
+          book.fault(file, i + 1, 'the row does not say where its letter is first used ({{sec ...}} or {{eq ...}})');
+      });
+      page.headings.push([c.id, c.short]);
+      return heading(escape(c.short), c.id) + book.page(file, c.id).html(text, 1);
+    })
+    .join('');
+}
+
+/** `{{collected citation}}`: how this edition is cited, as it is. */
+function citation(book) {
+  const text = `${book.title}: an executable, annotated edition of four papers by Leonhard Euler. Version ${book.version}.`;
+  const bibtex = `@misc{euler-on-oscillation,\n  title   = {${book.title}},\n  note    = {An executable, annotated edition of four papers by Leonhard Euler},\n  version = {${book.version}}\n}`;
+  return (
+    `<p class="citation">${escape(text)}</p>\n` +
+    `<pre class="code" tabindex="0" role="group" aria-label="BibTeX"><code>${escape(bibtex)}</code></pre>\n`
+  );
 }
 
 const search = () => `<form class="search" role="search" action="search.html">
@@ -136,12 +197,16 @@ export const lists = {
   map,
   chapters,
   apparatus,
-  concordance,
+  sections,
   races: speed.ofSections,
   scene: speed.scene,
   errors: speed.errors,
   scenes: speed.scenes,
   provenance: speed.provenance,
   colophon,
+  terms,
+  glossary,
+  notation,
+  citation,
   search,
 };

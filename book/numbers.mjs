@@ -79,6 +79,37 @@ export function format(told, spec = '') {
     : { sign, digits: plain(number), suffix };
 }
 
+/** Whether a value may be written in a format: degrees are for angles, percentages for ratios. */
+export function fits({ unit = '', value }, spec = '') {
+  if (/^deg/.test(spec)) return ['°', 'rad'].includes(unit);
+  if (/^percent/.test(spec)) return ['', '%'].includes(unit) && !Number.isInteger(value);
+  return true;
+}
+fits.wants = (spec) => (/^deg/.test(spec) ? 'angles, in degrees or radians' : 'ratios');
+
+/** What a line of prose has of code, links and told values is no prose. */
+const aside = /`[^`]*`|\{\{[^{}]*\}\}|\]\([^)]*\)|\\tag\{[^}]*\}/g;
+
+/**
+ * The numbers typed in a line that a program tells with the same digits, three at least: [[typed, name]]. Euler's have
+ * a comma and are his.
+ */
+export function handTyped(line, values) {
+  const bare = line.replace(aside, (s) => ' '.repeat(s.length));
+  return [...bare.matchAll(/(?<![\w.,{}^§])(\d+\.\d+|\d{4,})(?![\w.]*\d|\{?,\}?\d)/g)].flatMap(([, typed]) => {
+    const number = decimal(typed);
+    const figures = typed.replace('.', '').replace(/^0+/, '').length;
+    if (figures < 3) return [];
+    const same = values.find((v) => {
+      const told = decimal(v.text ?? String(v.value));
+      if (!told) return false;
+      const rounded = toPlaces(told, number.places);
+      return rounded.digits === number.digits && (number.places || told.places <= 0);
+    });
+    return same ? [[typed, same.name]] : [];
+  });
+}
+
 export function asText({ word, sign, digits, power, suffix }) {
   if (word !== undefined) return word;
   const raised = String(power).replace(/./g, (c) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c] ?? '⁻');

@@ -1,8 +1,10 @@
-// Prose to HTML: CommonMark with tables, mathematics, told values, links, margin notes and figures.
+// Prose to HTML: CommonMark with tables, mathematics, told values, links, margin notes, figures, exercises. What is
+// wrong is not thrown but told to the book, with its line, so that one weave tells all faults.
 import { createHash } from 'node:crypto';
 import fs from 'node:fs';
+import { sigla } from './cards.mjs';
 import { packages } from './packages.mjs';
-import { asTeX, asText, format } from './numbers.mjs';
+import { asTeX, asText, fits, format, handTyped } from './numbers.mjs';
 
 const MarkdownIt = packages('markdown-it');
 const katex = packages('katex');
@@ -10,7 +12,10 @@ const katex = packages('katex');
 export const escape = (text) =>
   String(text).replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
-/** KaTeX, remembered by content in a file: a formula that was set once is not set again. */
+/**
+ * KaTeX, remembered by content in a file: a formula that was set once is not set again. What the weaver has put into
+ * a formula (names of told numbers, signs of the apparatus) is not in the TeX that a reader copies.
+ */
 export class Formulas {
   constructor(file) {
     this.file = file;
@@ -18,11 +23,23 @@ export class Formulas {
     this.used = {};
   }
 
-  /** The HTML of a formula; throws KaTeX's message when it does not parse. */
-  set(tex, displayMode) {
-    const key = createHash('sha256').update(`${katex.version} ${displayMode} ${tex}`).digest('base64url');
+  /** The HTML of a formula; throws KaTeX's error when it does not parse. */
+  set(tex, displayMode, toCopy = tex) {
+    const key = createHash('sha256')
+      .update(`${katex.version} 2 ${displayMode} ${tex}`)
+      .digest('base64url');
     this.used[key] =
-      this.known[key] ?? katex.renderToString(tex, { displayMode, throwOnError: true, strict: 'error' });
+      this.known[key] ??
+      katex
+        .renderToString(tex, {
+          displayMode,
+          throwOnError: true,
+          trust: ({ command }) => ['\\htmlData', '\\htmlId', '\\htmlClass', '\\href'].includes(command),
+          strict: (code) => (code === 'htmlExtension' ? 'ignore' : 'error'),
+        })
+        .replace(/(<annotation[^>]*>)[^]*?(?=<\/annotation>)/, (_, tag) => tag + escape(toCopy))
+        .replace(/<mo href="[^"]*"/g, '<mo')
+        .replace(/<a (?=[^>]*href)/g, '<a tabindex="-1" ');
     return this.used[key];
   }
 
@@ -30,6 +47,8 @@ export class Formulas {
     fs.writeFileSync(this.file, JSON.stringify(this.used));
   }
 }
+
+const linesIn = (text) => text.split('\n').length - 1;
 
 /** What stands between a line `open` and a line `close` (or on one line) is one token of the given type. */
 function fenced(type, open, close) {
@@ -41,22 +60,30 @@ function fenced(type, open, close) {
     if (!close.exec(line(start).slice(first[0].length))) {
       do last += 1;
       while (last < end && !close.test(line(last)));
-      if (last === end) throw new Error(`${first[0].trim()} is never closed`);
+      if (last === end) {
+        state.env.fault(state.env.line + start, `${first[0].trim()} is never closed`);
+        last = end - 1;
+      }
     }
     if (silent) return true;
     const token = state.push(type, '', 0);
     token.info = first[1] ?? '';
-    token.content = state
+    const content = state
       .getLines(start, last + 1, 0, false)
-      .trim()
-      .slice(first[0].length)
+      .slice(first[0].length + state.tShift[start])
       .replace(new RegExp(close, 'm'), '')
-      .trim();
+      .trimEnd();
+    token.content = content.trimStart();
     token.map = [start, last + 1];
+    token.first = state.env.line + start;
+    token.line = state.env.line + start + linesIn(content.slice(0, content.length - token.content.length));
     state.line = last + 1;
     return true;
   };
 }
+
+/** The line of the file on which an inline rule stands. */
+const here = (state) => (state.env?.blockLine ?? 1) + linesIn(state.src.slice(0, state.pos));
 
 /**
  * An inline token of the given type for what `pattern` (sticky) matches: its content the first group, its
@@ -67,9 +94,20 @@ function inline(type, pattern) {
     pattern.lastIndex = state.pos;
     const match = pattern.exec(state.src);
     if (!match) return false;
-    if (!silent) Object.assign(state.push(type, '', 0), { content: match[1], meta: match[2] });
+    if (!silent)
+      Object.assign(state.push(type, '', 0), { content: match[1], meta: match[2], line: here(state) });
     state.pos += match[0].length;
     return true;
+  };
+}
+
+/** What must not stand in a line of prose: it is told, and passes as it is. */
+function unwanted(pattern, message) {
+  return (state, silent) => {
+    pattern.lastIndex = state.pos;
+    const match = pattern.exec(state.src);
+    if (match && !silent) state.env.fault(here(state), message(match[0]));
+    return false;
   };
 }
 
@@ -83,29 +121,59 @@ md.block.ruler.before(
   fenced('told_block', /^\{\{(table|collected) (?=[^{}]+\}\}$)/, /\}\}$/),
   alt,
 );
+md.core.ruler.at('inline', (state) => {
+  let block = 0;
+  for (const token of state.tokens) {
+    if (token.map) [block] = token.map;
+    if (token.type !== 'inline') continue;
+    state.env.blockLine = state.env.line + block;
+    state.md.inline.parse(token.content, state.md, state.env, token.children);
+  }
+});
 md.inline.ruler.before('escape', 'math', inline('math', /\$((?:[^$\\]|\\[^])+)\$([.,;:!?)]*)/y));
 md.inline.ruler.before('escape', 'told', inline('told', /\{\{((?:[^{}\\]|\\.)+)\}\}(?=(\s?[°%])?)/y));
+md.inline.ruler.before(
+  'escape',
+  'stray',
+  unwanted(/\$/y, () => 'an odd number of $ (a dollar sign is written \\$)'),
+);
+md.inline.ruler.before(
+  'autolink',
+  'html',
+  unwanted(/<[a-zA-Z][\w-]*(?:\s[^<>]*)?\/?>/y, (tag) => `HTML in prose: ${tag}`),
+);
 
-const rules = md.renderer.rules;
-rules.math = (tokens, i, _, page) => {
-  const formula = page.formulas.set(page.fill(tokens[i].content), false);
-  const stop = tokens[i].meta; // after a short formula it stays on the line
-  const together = stop && tokens[i].content.length <= 20;
-  return together ? `<span class="stopped">${formula}${stop}</span>` : formula + (stop && `\u2060${stop}`);
+const guarded = (rule) => (tokens, i, options, page) => {
+  try {
+    return rule(tokens[i], page, tokens, i);
+  } catch (error) {
+    const { position = 0 } = error;
+    const at = position ? tokens[i].line + linesIn(tokens[i].content.slice(0, position)) : tokens[i].first;
+    page.fault(at ?? tokens[i].line, error.message);
+    return '';
+  }
 };
-rules.told = (tokens, i, _, page) =>
-  page.refer(tokens[i].content.replaceAll('\\|', '|').trim(), tokens[i].meta);
-rules.told_block = (tokens, i, _, page) =>
-  tokens[i].info === 'table' ? page.table(tokens[i].content) : page.collected(tokens[i].content);
-rules.formula = (tokens, i, _, page) => page.equation(tokens[i].content);
-rules.division = (tokens, i, _, page) => page.division(tokens[i].info.trim(), tokens[i].content);
+const rules = md.renderer.rules;
+rules.math = guarded((token, page) => {
+  const formula = page.mathematics(token.content, false, token.line);
+  const stop = token.meta; // after a short formula it stays on the line
+  const together = stop && token.content.length <= 20;
+  return together ? `<span class="stopped">${formula}${stop}</span>` : formula + (stop && `\u2060${stop}`);
+});
+rules.told = guarded((token, page) => page.refer(token.content.replaceAll('\\|', '|').trim(), token.meta));
+rules.told_block = guarded((token, page) =>
+  token.info === 'table' ? page.table(token.content) : page.collected(token.content),
+);
+rules.formula = guarded((token, page) => page.equation(token.content, token.line));
+rules.division = guarded((token, page) => page.division(token.info.trim(), token.content, token.line));
 rules.table_open = () => '<div class="table words" tabindex="0" role="group" aria-label="Table">\n<table>\n';
 rules.table_close = () => '</table>\n</div>\n';
 rules.code_inline = (tokens, i) =>
   `<code${tokens[i].content.length < 30 ? ' class="whole"' : ''}>${escape(tokens[i].content)}</code>`;
 rules.heading_open = (tokens, i) => `<${tokens[i].tag} id="${slug(tokens[i + 1].content)}">`;
+rules.heading_close = (tokens, i) => `${anchor(slug(tokens[i - 1].content))}</${tokens[i].tag}>\n`;
 rules.fence = (tokens, i) =>
-  `<pre class="code" tabindex="0"><code>${escape(tokens[i].content)}</code></pre>\n`;
+  `<pre class="code" tabindex="0" role="group" aria-label="Commands"><code>${escape(tokens[i].content)}</code></pre>\n`;
 
 export const slug = (text) =>
   text
@@ -113,36 +181,70 @@ export const slug = (text) =>
     .replace(/[^a-z0-9]+/g, '-')
     .replace(/^-|-$/g, '');
 
+/** The sign behind a heading that leads to it. */
+export const anchor = (id) => `<a class="anchor" href="#${id}" aria-label="Link to this heading">#</a>`;
+
+/** A heading of the weaver's own. */
+export const heading = (text, id = slug(text)) => `<h2 id="${id}">${text}${anchor(id)}</h2>\n`;
+
+const refersTo = /^(eq|sec|api|entry|term) +(.+)$/;
+
 /**
  * One page under way: renders its pieces of prose, and knows what they refer to. `book` has formulas,
- * sections (by id: told, equations, title), chapters, and `collected(what)` for the lists that the
- * weaver makes.
+ * sections (by id: told, equations, title), chapters, `fault(file, line, message)`, and `collected(what)` for the
+ * lists that the weaver makes. `chapter` is the one whose sections are named without it.
  */
 export class Page {
-  constructor(book, file, section = null) {
-    Object.assign(this, { book, file, section, formulas: book.formulas, figures: [], noFigure: null });
+  constructor(book, file, section = null, chapter = section?.chapter) {
+    Object.assign(this, { book, file, section, chapter, formulas: book.formulas, figures: [], noFigure: null });
+    Object.assign(this, { line: 1, numbers: new Map(), referred: new Set(), exercises: 0 });
   }
 
-  /** HTML of prose that begins at `line` of the file. Errors name file and line. */
+  fault(line, message) {
+    this.book.fault(this.file, line, message.replace(/\s+/g, ' '));
+  }
+
+  /** HTML of prose that begins at `line` of the file. */
   html(text, line = 1) {
-    this.text = text;
-    this.line = line;
-    this.within = '';
-    try {
+    return this.at(line, () => {
+      this.judge(text);
       return md.render(text, this);
-    } catch (error) {
-      if (!error.placed)
-        error.message = `${this.file}:${this.lineOf(this.within)}: ${error.message.replace(/\n/g, ' ')}`;
-      throw Object.assign(error, { placed: true });
+    });
+  }
+
+  inline(text, line = this.line) {
+    return this.at(line, () => md.renderInline(text, this));
+  }
+
+  at(line, work) {
+    const before = this.line;
+    this.line = line;
+    try {
+      return work();
+    } finally {
+      this.line = before;
     }
   }
 
-  inline(text) {
-    return md.renderInline(text, this);
-  }
-
-  lineOf(piece) {
-    return this.line + this.text.slice(0, Math.max(this.text.indexOf(piece), 0)).split('\n').length - 1;
+  /** Numbers typed where a told one has the same digits; bars that would end a table's cell. */
+  judge(text) {
+    const lines = text.split('\n');
+    let cells = 0;
+    let fence = false;
+    lines.forEach((line, i) => {
+      if (/^```/.test(line)) fence = !fence;
+      if (fence) return;
+      const row = /^\s*\|/.test(line);
+      const bars = row ? line.replace(/\\\|/g, '').split('|').length : 0;
+      if (row && cells && bars !== cells)
+        this.fault(
+          this.line + i,
+          'a table row with more or fewer cells than its head: a bar in code or in a formula is written \\| (or \\vert)',
+        );
+      cells = row ? cells || bars : 0;
+      for (const [typed, name] of handTyped(line, this.section?.told.values ?? []))
+        this.fault(this.line + i, `${typed} is typed by hand; the program tells it: {{${name}}}`);
+    });
   }
 
   /** The value behind a name: of this section, of another (chapter.NN.name), or a recorded time (speed....). */
@@ -153,35 +255,77 @@ export class Page {
     const told =
       section?.told.values.find((v) => v.name === own) ??
       section?.told.parameters.find((p) => p.name === own);
-    if (!told) throw new Error(`no value is told by the name of {{${name}}}`);
-    return { ...told, full: `${section.id}.${own}` };
-  }
-
-  /** Told values inside mathematics. */
-  fill(tex) {
-    this.within = tex;
-    return tex.replace(
-      /\{\{([^{}]+)\}\}(?=(°|\^\\circ|(?:\\,)?\\%)?)/g,
-      (_, what, sign) => `{${asTeX(this.number(what, sign).number)}}`,
-    );
+    if (told) return { ...told, full: `${section.id}.${own}`, section };
+    if (id && this.book.only && !section) return { value: '…', unit: '', meaning: '', full: name };
+    throw new Error(`no value is told by the name of {{${name}}}`);
   }
 
   /** What `name|format` stands for; without its sign (° or %) where the sign is written behind it. */
   number(what, sign) {
-    const [name, spec] = what.split('|').map((s) => s.trim());
+    const [name, spec = ''] = what.split('|').map((s) => s.trim());
     const value = this.value(name);
+    if (!fits(value, spec)) throw new Error(`{{${what}}}: the format is for ${fits.wants(spec)}`);
     const number = format(value, spec);
     if (!number) throw new Error(`no format |${spec} in {{${what}}}`);
-    return { value, number: sign ? { ...number, suffix: '' } : number };
+    this.numbers.set(value.full, value);
+    return { value, spec, number: sign ? { ...number, suffix: '' } : number };
+  }
+
+  /** A formula with told values and signs of the apparatus in it. */
+  mathematics(tex, display, line) {
+    const fill = (told, entry) =>
+      tex.replace(/\{\{([^{}]+)\}\}(?=(°|\^\\circ|(?:\\,)?\\%)?)/g, (all, what, sign, at) => {
+        try {
+          const name = /^entry +(\w+)$/.exec(what.trim())?.[1];
+          return name ? entry(this.entry(name)) : told(this.number(what, sign));
+        } catch (error) {
+          throw Object.assign(error, { position: at });
+        }
+      });
+    const named = fill(
+      ({ value, spec, number }) =>
+        `{\\htmlData{name=${value.full}, format=${spec}}{${asTeX(number)}}}`,
+      ({ kind, to, id }) => {
+        const sign = `\\htmlClass{siglum}{${{ erratum: '\\ast', emendation: '\\dagger', doubtful: '\\ddagger', undecided: '\\diamond' }[kind]}}`;
+        return `{}^{\\href{#${to}}{${id ? `\\htmlId{${id}}{${sign}}` : sign}}}`;
+      },
+    );
+    const plain = fill(({ number }) => `{${asTeX(number)}}`, () => '');
+    try {
+      return this.formulas.set(named, display, plain);
+    } catch (error) {
+      if (error.position > 0) error.position = Math.min(error.position, tex.length);
+      throw error;
+    }
+  }
+
+  /** An entry of this section's apparatus by its name; the first that refers to it has the id that it links back to. */
+  entry(name) {
+    const entry = this.section?.entries.find((e) => e.name === name);
+    if (!entry) throw new Error(`no entry of the apparatus is called ${name}`);
+    const id = this.referred.has(name) ? '' : `at-${name}`;
+    this.referred.add(name);
+    return { ...entry, id };
   }
 
   /** {{...}} in a line of prose. */
   refer(written, sign) {
-    this.within = written;
     const what = written.replace(/\s+/g, ' ');
-    const [, kind, rest] = /^(eq|sec|api) +(.+)$/.exec(what) ?? [];
+    const [, kind, rest] = refersTo.exec(what) ?? [];
     if (kind === 'api') return `<a class="api" data-api="${escape(rest)}"><code>${escape(rest)}</code></a>`;
     if (kind === 'sec') return this.linkToSection(rest);
+    if (kind === 'term') {
+      if (!this.book.terms.has(slug(rest))) throw new Error(`the glossary has no ${rest}`);
+      return `<a class="term" href="glossary.html#term-${slug(rest)}">${escape(rest)}</a>`;
+    }
+    if (kind === 'entry') {
+      const entry = this.entry(rest);
+      const words = `${entry.kind}: ${entry.where}`;
+      return (
+        `<a class="siglum"${entry.id ? ` id="${entry.id}"` : ''} href="#${entry.to}" ` +
+        `aria-label="${escape(words)}">${sigla[entry.kind]}</a>`
+      );
+    }
     if (kind === 'eq') {
       const [number, id] = rest.split(/ +/).reverse();
       const target = id ? this.book.sections.get(id) : this.section;
@@ -193,14 +337,18 @@ export class Page {
         `</a>`
       );
     }
-    const { value, number } = this.number(what, sign);
-    const title =
-      `${value.full} = ${value.text ?? value.value}${value.unit ? ` ${value.unit}` : ''}: ` +
-      `${value.meaning}`;
+    const { value, spec, number } = this.number(what, sign);
     return (
-      `<data value="${escape(value.text ?? value.value)}" title="${escape(title)}">` +
-      `${escape(asText(number))}</data>`
+      `<data class="told" tabindex="0" role="button" data-name="${escape(value.full)}" data-format="${escape(spec)}" ` +
+      `value="${escape(value.text ?? value.value)}">${escape(asText(number))}</data>`
     );
+  }
+
+  /** A line for those who cannot see a figure: told numbers in it, and no other signs. */
+  words(text) {
+    return text
+      .replace(/\s+/g, ' ')
+      .replace(/\{\{([^{}]+)\}\}(?=(\s?[°%])?)/g, (_, what, sign) => asText(this.number(what, sign).number));
   }
 
   nameOf(id) {
@@ -208,7 +356,7 @@ export class Page {
     const known = this.book.chapters.find((c) => c.id === chapter);
     if (!known || !(Number(number) >= 1 && Number(number) <= known.sections))
       throw new Error(`there is no section ${id}`);
-    return `${chapter === this.section?.chapter ? '' : `${known.short} `}§ ${Number(number)}`;
+    return `${chapter === this.chapter ? '' : `${known.short} `}§\u00a0${Number(number)}`;
   }
 
   /** A link to a section's page; to its row in the chapter's map while there is no page. */
@@ -221,32 +369,34 @@ export class Page {
       : `<a class="not-yet" title="not yet in this edition" href="${chapter}.html#s${number}">${name}</a>`;
   }
 
-  /** A displayed formula; with \tag{n} it is numbered, linkable, and linked to the code that is it. */
-  equation(tex) {
-    this.within = tex.split('\n')[0];
+  /**
+   * A displayed formula; with \tag{n} it is numbered, linkable, and linked to the code that is it. A letter for a
+   * number marks a formula of the edition's own.
+   */
+  equation(tex, line) {
     const number = /\\tag\{([^}]+)\}/.exec(tex)?.[1];
-    const html = this.formulas.set(this.fill(tex.replace(/\\tag\{[^}]+\}/, '')), true);
-    const formula =
-      `<div class="formula" tabindex="0" role="group" aria-label="Formula` +
-      `${number ? ` ${number}` : ''}">${html}</div>`;
+    const html = this.mathematics(tex.replace(/\\tag\{[^}]+\}/, ''), true, line);
+    const ours = number && !/^\d/.test(number);
+    const name = number ? ` ${number}${ours ? ', the edition’s own' : ''}` : '';
+    const formula = `<div class="formula" tabindex="0" role="group" aria-label="Formula${name}">${html}</div>`;
     if (!number) return `<div class="equation">${formula}</div>\n`;
     const code = this.section?.coded.has(number)
       ? `<a class="to-code" href="#code-` +
         `${number}" title="the code that is this formula" aria-label="code of formula ${number}">code</a>`
       : '';
     return (
-      `<div class="equation" id="eq-${number}">${formula}<span class="number"><a href="#eq-` +
-      `${number}">(${number})</a>${code}</span></div>\n`
+      `<div class="equation${ours ? ' ours' : ''}" id="eq-${number}">${formula}<span class="number"><a href="#eq-` +
+      `${number}">(${number})</a>${ours ? '<span class="whose">ours</span>' : ''}${code}</span></div>\n`
     );
   }
 
-  division(kind, text) {
-    this.within = `::: ${kind}`;
-    if (kind === 'margin') return `<aside class="margin">${md.render(text, this)}</aside>\n`;
+  division(kind, text, line) {
+    if (kind === 'margin') return `<aside class="margin">${this.html(text, line)}</aside>\n`;
     if (kind === 'no-figure') {
-      this.noFigure = this.inline(text.replace(/\s+/g, ' '));
+      this.noFigure = this.inline(text.replace(/\s+/g, ' '), line);
       return '';
     }
+    if (kind === 'exercise') return this.exercise(text, line);
     const [, file, name, formulae] = /^code (\S+) (\w+)((?: \(\w+\))*)$/.exec(kind) ?? [];
     if (file) {
       this.book.snippet(file, name);
@@ -256,21 +406,43 @@ export class Page {
         `\\endhtmlonly\n\\snippet ${file} ${name}\n\\htmlonly[block]\n`
       );
     }
+    const drawn = this.book.divisions?.[kind];
+    if (drawn) return drawn(text, this, line);
     const figure = /^figure (\S+)$/.exec(kind)?.[1];
     if (!figure)
-      throw new Error(`::: ${kind} is not known (margin, code FILE NAME (n), figure NAME, no-figure)`);
+      throw new Error(
+        `::: ${kind} is not known (margin, code FILE NAME (n), figure NAME, no-figure, exercise, map, route)`,
+      );
+    this.figures.push(figure);
     const [, alternative, caption] = /^alt: *([^]*?)\n\s*\n([^]*)$/.exec(text) ?? [];
     if (!caption?.trim())
       throw new Error(`::: figure ${figure} needs "alt: ...", an empty line, and a caption`);
-    this.figures.push(figure);
-    return this.book.figure(figure, alternative.replace(/\s+/g, ' '), this.inline(caption.trim()), this);
+    return this.book.figure(
+      figure,
+      this.words(alternative),
+      this.inline(caption.trim(), line + linesIn(text.slice(0, text.length - caption.length))),
+      this,
+    );
+  }
+
+  /** Something to go on from, with its answer folded. */
+  exercise(text, line) {
+    const [question, answer] = text.split(/^answer: */m);
+    this.exercises += 1;
+    const folded = answer
+      ? `<details><summary>answer</summary>${this.html(answer, line + linesIn(question))}</details>`
+      : '';
+    return (
+      `<section class="exercise" id="exercise-${this.exercises}"><p class="n">${this.exercises}.</p>` +
+      `<div>${this.html(question, line)}${folded}</div></section>\n`
+    );
   }
 
   /** A told table, set as a table. */
   table(name) {
-    this.within = name;
     const table = this.section?.told.tables.find((t) => t.name === name.trim());
     if (!table) throw new Error(`no table is told by the name of {{table ${name}}}`);
+    (this.typeset ??= new Set()).add(table.name);
     const isWord = (x) => typeof x === 'string' && !/^-?(inf|nan)$/.test(x);
     const head = table.columns.map(
       (c, i) =>
@@ -284,14 +456,13 @@ export class Page {
     };
     const rows = table.rows.map((row) => `<tr>${row.map((x, i) => cell(x, table.columns[i])).join('')}</tr>`);
     return (
-      `<div class="table" tabindex="0" role="group" aria-label="Table"><table class="told"><caption>` +
-      `${this.inline(table.caption)}</caption>\n` +
+      `<div class="table" tabindex="0" role="group" aria-label="Table"><table class="told" data-table="${table.name}">` +
+      `<caption>${this.inline(table.caption)}</caption>\n` +
       `<thead><tr>${head.join('')}</tr></thead>\n<tbody>\n${rows.join('\n')}\n</tbody></table></div>\n`
     );
   }
 
   collected(name) {
-    this.within = name;
-    return this.book.collected(name.trim());
+    return this.book.collected(name.trim(), this);
   }
 }

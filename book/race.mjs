@@ -4,7 +4,7 @@
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
-import { groups, idOf, plainly, recordedOf } from './scenes.mjs';
+import { familyOf, floor, front, groups, idOf, kindOf, plainly, recordedOf } from './scenes.mjs';
 
 const [source, build, program, gnuplot] = process.argv.slice(2);
 const json = (...file) => JSON.parse(fs.readFileSync(path.join(...file), 'utf8'));
@@ -33,44 +33,43 @@ function draw(script, name, blocks, set) {
   if (run.status !== 0 || run.stderr) throw new Error(`${script}: ${run.stderr}`);
 }
 
-/** Those that no other beats both in time and in error, from the quickest to the most exact. */
-const front = (points) =>
-  [...points]
-    .sort((a, b) => a.seconds - b.seconds || a.error - b.error)
-    .filter((p, i, all) => all.slice(0, i).every((q) => q.error > p.error));
-
 /**
  * Heights at the right edge for the names, in the order of the errors, `apart` decades at least; of errors that are
  * nearly the same, the slowest lowest, so that its line crosses no other.
  */
 function spread(points, apart) {
-  const step = (p) => Math.round(Math.log10(p.error) / apart);
+  const step = (p) => Math.round(Math.log10(p.drawn) / apart);
   const placed = [...points]
     .sort((a, b) => step(a) - step(b) || b.seconds - a.seconds)
-    .map((p) => ({ ...p, height: Math.log10(p.error) }));
+    .map((p) => ({ ...p, height: Math.log10(p.drawn) }));
   placed.forEach((p, i) => {
     if (i && p.height < placed[i - 1].height + apart) p.height = placed[i - 1].height + apart;
   });
   return placed;
 }
 
-/** Error against time for `points` { name, family, kind, seconds, error }. */
-function race(name, points, quantity) {
-  if (!points.length) return;
+/**
+ * Error against time for `given` { name, family, kind, seconds, error }. Errors below `lowest` are drawn there, and the
+ * plot says so; the data have them as they are.
+ */
+function race(name, given, quantity, lowest = 0) {
+  if (!given.length) return;
+  const points = given.map((p) => ({ ...p, drawn: Math.max(p.error, lowest) }));
   const families = [...new Set(points.map((p) => p.family).filter(Boolean))];
   const decades = (key, digits) => [
     Math.floor(Math.min(...points.map((p) => Math.log10(p[key]))) - digits),
     Math.ceil(Math.max(...points.map((p) => Math.log10(p[key]))) + digits),
   ];
   const [left, right] = decades('seconds', 0.05);
-  const [low, high] = decades('error', 0.3);
+  const [low, high] = decades('drawn', 0.3);
   const labelled = spread(
     points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)),
     (high - low) / 13,
   );
   const top = Math.max(high, Math.ceil(Math.max(...labelled.map((p) => p.height)) + 0.3));
-  const heads = ['name', 'seconds', 'error', 'height', 'colour'];
-  const rows = (list) => list.map((p) => [p.name, p.seconds, p.error, 10 ** (p.height ?? 0), colour[p.kind]]);
+  const heads = ['name', 'seconds', 'error', 'drawn', 'height', 'colour'];
+  const rows = (list) =>
+    list.map((p) => [p.name, p.seconds, p.error, p.drawn, 10 ** (p.height ?? 0), colour[p.kind]]);
   const joined = families.map((f) => rows(points.filter((p) => p.family === f)).map((r) => r.join('\t')));
   draw(
     'figures/race.gp',
@@ -80,19 +79,17 @@ function race(name, points, quantity) {
       `${heads.join('\t')}\n${joined.map((f) => `${f.join('\n')}\n`).join('\n')}`,
     ],
     `quantity='${quantity}'; families=${families.length}; ` +
+      `clipped=${points.some((p) => p.error < lowest) ? lowest : 0}; ` +
       `left=1e${left}; right=1e${right}; low=1e${low}; high=1e${top}`,
   );
 }
-
-/** The methods that belong together as variants of one, "this edition, avx2": what they are called in common. */
-const family = (name) => /^(.*), (?:[\d]|sse|avx|portable)/.exec(name)?.[1];
 
 /** The worst errors of a group of scenes, scene by scene; variants with the same errors are drawn as one. */
 function errors(name, group) {
   const ways = new Map();
   group.scenes.forEach((scene, row) =>
     scene.methods.forEach((m) => {
-      const label = family(m.name) ?? m.name.replace(/, one by one$/, '');
+      const label = familyOf(m.name) ?? m.name.replace(/, one by one$/, '');
       const way = ways.get(label) ?? { label, kind: m.kind, at: [] };
       way.at[row] = { row, error: m.failures < m.judged ? worstOf(m) : NaN };
       ways.set(label, way);
@@ -140,7 +137,7 @@ if (recorded.scenes) {
         .map((m) => ({
           ...m,
           name: plainly(m.name),
-          family: family(m.name),
+          family: familyOf(m.name),
           error: worstOf(m),
         })),
       `worst error (${scene.error_unit})`,
@@ -152,12 +149,11 @@ if (recorded.scenes) {
     const times = recordedOf(recorded, one);
     const points = one.methods.flatMap((m) => {
       const time = times.find((t) => t.name === m.name);
-      const kind = /^this edition/.test(m.name) ? 'ours' : /^Euler/.test(m.name) ? 'Euler' : 'peer';
       return time && Number.isFinite(m.relative)
-        ? [{ ...m, kind, seconds: time.seconds, error: Math.max(m.relative, 1e-17) }]
+        ? [{ ...m, kind: kindOf(m.name), seconds: time.seconds, error: m.relative }]
         : [];
     });
-    race(`${program}.race-${one.name}`, points, 'relative error');
+    race(`${program}.race-${one.name}`, points, 'relative error', floor);
   }
 }
 fs.writeFileSync(path.join(build, `drawn/${program}.races`), '');

@@ -27,3 +27,18 @@ export function groups(scenes) {
   }
   return [...found].map(([name, list]) => ({ id: idOf(name), name, scenes: list }));
 }
+
+/** The methods that belong together as variants of one, "this edition, avx2": what they are called in common. */
+export const familyOf = (name) => /^(.*), (?:[\d]|sse|avx|portable)/.exec(name)?.[1];
+
+/** Whose a way of a section's race is: the plot's colour says it. */
+export const kindOf = (name) => (/^this edition/.test(name) ? 'ours' : /^Euler/.test(name) ? 'Euler' : 'peer');
+
+/** Relative errors below this are drawn at it; the data keep what they are. */
+export const floor = 1e-17;
+
+/** Those that no other beats both in time and in error, from the quickest to the most exact. */
+export const front = (points) =>
+  [...points]
+    .sort((a, b) => a.seconds - b.seconds || a.error - b.error)
+    .filter((p, i, all) => all.slice(0, i).every((q) => q.error > p.error));

@@ -4,7 +4,8 @@ import path from 'node:path';
 import { table, tableEnd } from './cards.mjs';
 import { asText, asTime, format } from './numbers.mjs';
 import { escape } from './prose.mjs';
-import { groups, idOf, plainly, recordedOf } from './scenes.mjs';
+import { familyOf, floor, front, groups, idOf, kindOf, plainly, recordedOf } from './scenes.mjs';
+import { lookedAt } from './sectionpage.mjs';
 
 const short = (x, form) => asText(format({ value: x }, x !== 0 && (x < 1e-3 || x >= 1e5) ? 'e2' : form));
 const ulps = (m) => (m.failures === m.judged ? 'fails' : short(m.ulps_max, '2'));
@@ -13,30 +14,57 @@ const recordedOn = (run) =>
   `Recorded on ${escape(run.machine)} with ${escape(run.compiler)}, ${escape(run.flags)}.`;
 
 /** A plot that race.mjs has drawn, or nothing. */
-function plot(book, name, alt, caption, script = 'race') {
+function plot(book, name, alt, caption, script = 'race', page = null) {
   const drawn = fs.existsSync(path.join(book.build, `drawn/${name}.svg`));
-  return drawn ? book.plot(name, `figures/${script}.gp`, alt, caption) : '';
+  return drawn ? book.plot(name, `figures/${script}.gp`, alt, caption, page) : '';
 }
 
 const capital = (words) => words[0].toUpperCase() + words.slice(1);
-const left = 'Left and low is better; the dashed steps join the ways that no other beats in both.';
+const list = (words) => (words.length < 2 ? words.join('') : `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`);
+
+/** What there is to see in a plot of error against time: what is not in it is not spoken of. */
+function legend(points) {
+  const families = [...new Set(points.map((p) => p.family).filter(Boolean))].filter(
+    (f) => points.filter((p) => p.family === f).length > 1,
+  );
+  const colours = { ours: 'blue is this edition', Euler: 'orange-red Euler', classic: 'green a classical way', peer: 'black another way' };
+  const kinds = Object.keys(colours).filter((kind) => points.some((p) => p.kind === kind));
+  return [
+    'Left and low is better.',
+    front(points).length > 1 ? 'The dashed steps join the ways that no other beats in both.' : '',
+    families.length === 1 ? 'The solid line joins one way with more and more terms or steps.' : '',
+    families.length > 1 ? 'A solid line joins one way with more and more terms or steps.' : '',
+    kinds.length > 1 ? `${capital(list(kinds.map((kind) => colours[kind])))}.` : '',
+    points.some((p) => p.error < floor) ? 'What is nearer than 10⁻¹⁷ is drawn at 10⁻¹⁷.' : '',
+  ]
+    .filter(Boolean)
+    .join(' ');
+}
+
+/** Two digits, and how far the rounds differ where that was recorded. */
+const ratio = ({ ratio: r, spread }) =>
+  `${short(r, '2')}${spread === undefined ? '' : ` ± ${Math.max(1, Math.round(100 * spread))} %`}`;
 
 /**
  * The several ways to one number: error of each, and time and plot where a run is recorded in book/speeds.
  */
-export function races(section, book) {
+export function races(section, book, page) {
   return section.told.races
     .map((race) => {
       const recorded = recordedOf(section.speeds, race);
+      const timed = (m) => recorded.find((r) => r.name === m.name);
       const rows = race.methods.map((m) => {
-        const time = recorded.find((r) => r.name === m.name);
+        const time = timed(m);
         const cells = [
-          asText(format({ value: m.value, text: m.value.toPrecision(17) }, '17')),
+          asText(format({ value: m.value, text: m.value.toPrecision?.(17) }, '17')),
           asText(format({ value: m.ulps }, '2')),
           asText(format({ value: m.relative }, 'e2')),
-          ...(recorded.length ? [time ? asTime(time.seconds) : '', time ? short(time.ratio, '3') : ''] : []),
+          ...(recorded.length ? [time ? asTime(time.seconds) : '', time ? ratio(time) : ''] : []),
         ];
-        return `<tr><th scope="row">${escape(m.name)}</th>${cells.map((c) => `<td>${c}</td>`).join('')}</tr>\n`;
+        return (
+          `<tr data-method="${escape(m.name)}"><th scope="row">${escape(m.name)}</th>` +
+          `${cells.map((c) => `<td>${c}</td>`).join('')}</tr>\n`
+        );
       });
       const heads = [
         'way',
@@ -49,16 +77,22 @@ export function races(section, book) {
       const alt =
         `The ways to ${race.quantity}: relative error against time per evaluation, both logarithmic. ` +
         `The numbers stand in the table below.`;
+      const points = race.methods
+        .filter((m) => timed(m) && Number.isFinite(m.relative))
+        .map((m) => ({ ...m, kind: kindOf(m.name), seconds: timed(m).seconds, error: m.relative }));
+      const looked = lookedAt(section, race.name);
       return (
-        `<p class="race">${escape(race.quantity)}, exactly <data>${exact}</data></p>\n` +
-        `${plot(book, `${section.name}.race-${race.name}`, alt, `Error against time for one evaluation. ${left}`)}` +
-        `${table(`Ways to ${escape(race.quantity)}`, heads)}${rows.join('')}${tableEnd}` +
-        `${
+        `<div data-race="${race.name}"><p class="race">${escape(race.quantity)} to thirty digits: ` +
+        `<span class="digits">${exact}</span></p>\n` +
+        `${plot(book, `${section.name}.race-${race.name}`, alt, `Error against time for one evaluation. ${legend(points)}`, 'race', page)}` +
+        `${table(`Ways to ${escape(race.quantity)}`, heads)}${rows.join('')}${tableEnd}</div>` +
+        `<p class="provenance">${looked && `The errors are looked at by ${looked}. `}${
           recorded.length
-            ? `<p class="provenance">${recordedOn(section.speeds)} The errors are of this build. The library against ` +
-              `its peers: <a href="speed.html">Speed against error</a>.</p>\n`
+            ? `Times: ${recordedOn(section.speeds)} A ratio is the median, over the rounds, of a way's time to that of ` +
+              `the first; the errors are of this build. The library against its peers: ` +
+              `<a href="speed.html">Speed against error</a>.`
             : ''
-        }`
+        }</p>\n`
       );
     })
     .join('');
@@ -101,16 +135,19 @@ function find(list, name, what) {
 /** `{{collected scene NAME}}`: one scene, plot and numbers. */
 export function scene(book, name) {
   const it = find(book.swing.scenes, name, 'scene');
+  const points = it.methods
+    .filter((m) => m.failures < m.judged)
+    .map((m) => ({ ...m, family: familyOf(m.name), error: Math.max(m.ulps_max, 0.05) }));
   const alt = `${it.quantity}: worst error against time per evaluation, both logarithmic, for ${it.methods.length} ways.`;
   const heads = ['way', 'time', 'ratio', `worst <span class="unit">${it.error_unit}</span>`, 'mean', 'fails'];
   const rows = it.methods.map(
     (m) =>
-      `<tr><th scope="row">${escape(m.name)}</th><td>${asTime(m.seconds)}</td><td>${short(m.ratio, '3')}</td>` +
+      `<tr><th scope="row">${escape(m.name)}</th><td>${asTime(m.seconds)}</td><td>${short(m.ratio, '2')}</td>` +
       `<td>${ulps(m)}</td><td>${m.failures === m.judged ? '' : short(m.ulps_mean, '2')}</td>` +
       `<td>${m.failures ? `${m.failures} of ${m.judged}` : ''}</td></tr>\n`,
   );
   return (
-    `${plot(book, `swing.race-${idOf(it.name)}`, alt, `${escape(capital(it.quantity))}. ${left}`)}` +
+    `${plot(book, `swing.race-${idOf(it.name)}`, alt, `${escape(capital(it.quantity))}. ${legend(points)}`)}` +
     `<details class="folded"><summary>the numbers of all ${it.methods.length}</summary>\n` +
     `${table(escape(it.name), heads)}${rows.join('')}${tableEnd}</details>\n`
   );

@@ -1,23 +1,25 @@
 // Weaves the book: from each section's file, and from what its program told, one page for Doxygen; then the
-// chapters' openings and the pages of book/matter. Usage: node weave.mjs SOURCE BUILD (the repository, and
-// build/book).
+// chapters' openings and the pages of book/matter. All faults of a weave are told at once, each with its file and line.
+// Usage: node weave.mjs SOURCE BUILD [--only CHAPTER-NN] (the repository, and build/book; with --only that one page and
+// its faults, whatever else is built or not).
 import fs from 'node:fs';
 import path from 'node:path';
-import { claims, reading, sigla, verdict } from './cards.mjs';
+import { escape, Formulas, Page, heading, slug } from './prose.mjs';
+import { explained, html, page } from './doxygen.mjs';
 import { palette, inline, standalone, thumbnail } from './figure.mjs';
 import { lists } from './lists.mjs';
+import { divisions } from './map.mjs';
 import { packages } from './packages.mjs';
-import { Formulas, Page, escape } from './prose.mjs';
 import { blocks, named, tagged } from './section.mjs';
-import { races, value } from './speed.mjs';
+import { lookedAt, sectionPage } from './sectionpage.mjs';
+import { value } from './speed.mjs';
 
-/** A fault is one line: where, and what. */
-process.on('uncaughtException', (error) => {
-  console.error(error.message);
-  process.exitCode = 1;
-});
-
-const [source, build] = process.argv.slice(2).map((p) => path.resolve(p));
+const [source, build, ...options] = process.argv.slice(2);
+if (!build || (options.length && (options[0] !== '--only' || options.length !== 2))) {
+  console.error('usage: node weave.mjs SOURCE BUILD [--only CHAPTER-NN]');
+  process.exit(2);
+}
+const only = options[1];
 const read = (file) => fs.readFileSync(file, 'utf8');
 const json = (file) => JSON.parse(read(file));
 const kept = new Set();
@@ -31,8 +33,13 @@ function write(name, text) {
   fs.writeFileSync(file, text);
 }
 
-function fail(file, line, message) {
-  throw new Error(`${file}:${line}: ${message}`);
+/** The faults of this weave, in the order of files and lines. */
+const faults = new Map();
+const ownFile = only && `chapters/${only.replace('-', '/s')}.cpp`;
+function fault(file, line, message) {
+  if (only && file !== ownFile && !file.startsWith(`figures/${only}`) && !file.startsWith(`told/${only}`)) return;
+  const words = message.replace(/\s+/g, ' ');
+  faults.set(`${file}:${line}: ${words}`, [file, line]);
 }
 
 // ---------------------------------------------------------------------------------------------- the sections
@@ -50,7 +57,8 @@ function checked(schema, file) {
   const data = json(file);
   if (!valid[schema](data)) {
     const [{ instancePath, message }] = valid[schema].errors;
-    fail(path.relative(build, file), 1, `${instancePath || '/'} ${message} (book/schema/${schema}.json)`);
+    const place = path.relative(file.startsWith(build) ? build : source, file);
+    throw Object.assign(new Error(`${instancePath || '/'} ${message} (book/schema/${schema}.json)`), { place });
   }
   return data;
 }
@@ -59,61 +67,126 @@ function checked(schema, file) {
 function snippet(file, name) {
   const whole = path.join(source, 'src', file);
   const parts = fs.existsSync(whole) ? read(whole).split(`// [${name}]`) : [];
-  if (parts.length !== 3) throw new Error(`src/${file}:1: has not two lines // [${name}]`);
+  if (parts.length !== 3) throw new Error(`src/${file} has not two lines // [${name}]`);
   return parts[1];
 }
 
-/** What is known of a section before its page is woven. */
+const limit = 110;
+function tooLong(file, text) {
+  text.split('\n').forEach((line, i) => {
+    if ([...line].length > limit) fault(file, i + 1, `a line of ${[...line].length} characters; ${limit} is the limit`);
+  });
+}
+
+/** The formulae that prose gives; a number that is given twice is a fault. */
+function equationsOf(prose, file) {
+  const equations = new Set();
+  for (const b of prose)
+    for (const { number, line } of tagged(b.text, b.line)) {
+      if (equations.has(number)) fault(file, line, `a second formula (${number})`);
+      if (!/^(\d+|[A-Z])$/.test(number))
+        fault(file, line, `\\tag{${number}}: Euler's formulae have numbers, the edition's own a letter, A to Z`);
+      equations.add(number);
+    }
+  return equations;
+}
+
+const kinds = { errata: 'erratum', emendations: 'emendation', doubtful: 'doubtful', undecided: 'undecided' };
+
+/** What is known of a section before its page is woven; nothing where its file or its program has no sense. */
 function section(name) {
   const [chapter, number] = name.split('-');
   const file = `chapters/${chapter}/s${number}.cpp`;
   if (!fs.existsSync(path.join(source, file)))
-    fail(file, 1, `the program ${name} has no section file, so no page`);
-  const told = (ending) => path.join(build, `told/${name}.${ending}`);
-  if (!fs.existsSync(told('json'))) fail(file, 1, `the program ${name} has told nothing; is it built?`);
-  const all = blocks(read(path.join(source, file)), file);
-  const prose = all
-    .filter((b) => b.kind === 'prose')
-    .map((b) => b.text)
-    .join('\n');
-  const code = [
-    ...all.map((b) => b.code ?? ''),
-    ...[...prose.matchAll(/^::: code (\S+) (\w+)(.*)$/gm)].map((m) => `//${m[3]}\n${snippet(m[1], m[2])}`),
-  ];
-  const speeds = path.join(source, `book/speeds/${name}.json`);
-  return {
-    id: `${chapter}.${number}`,
-    name,
-    chapter,
-    number,
-    file,
-    blocks: all,
-    text: read(told('txt')),
-    told: checked('section', told('json')),
-    check: checked('check', told('check.json')),
-    speeds: fs.existsSync(speeds) ? checked('speeds', speeds) : null,
-    equations: new Set(tagged(prose)),
-    coded: new Set(code.flatMap(named)),
-  };
+    return fault(file, 1, `the program ${name} has no section file, so no page`);
+  const from = (ending) => path.join(build, `told/${name}.${ending}`);
+  if (!fs.existsSync(from('json'))) return fault(file, 1, `the program ${name} has told nothing; is it built?`);
+  const text = read(path.join(source, file));
+  tooLong(file, text);
+  try {
+    const all = blocks(text);
+    const prose = all.filter((b) => b.kind === 'prose');
+    const code = all.map((b) => b.code ?? '');
+    for (const m of prose.flatMap((b) => [...b.text.matchAll(/^::: code (\S+) (\w+)(.*)$/gm)]))
+      try {
+        code.push(`//${m[3]}\n${snippet(m[1], m[2])}`);
+      } catch {
+        // told where the page is woven
+      }
+    const speeds = path.join(source, `book/speeds/${name}.json`);
+    const told = checked('section', from('json'));
+    const check = checked('check', from('check.json'));
+    const declared = Object.keys(kinds).flatMap((list) => told[list]);
+    const counted = {};
+    const entries = all
+      .filter((b) => Object.values(kinds).includes(b.kind.toLowerCase()))
+      .map((block) => {
+        const kind = block.kind.toLowerCase();
+        counted[kind] = (counted[kind] ?? 0) + 1;
+        const same = (e) => e.kind === kind && e.where === block.name;
+        return {
+          name: block.object,
+          kind,
+          where: block.name,
+          to: `${kind}-${counted[kind]}`,
+          block,
+          declared: declared.find(same),
+          tried: check.apparatus.find(same),
+        };
+      });
+    return {
+      id: `${chapter}.${number}`,
+      name,
+      chapter,
+      number,
+      file,
+      blocks: all,
+      text: read(from('txt')),
+      told,
+      check,
+      speeds: fs.existsSync(speeds) ? checked('speeds', speeds) : null,
+      entries,
+      placed: new Set(),
+      equations: equationsOf(prose, file),
+      coded: new Set(code.flatMap(named)),
+    };
+  } catch (error) {
+    const { place = file, line = 1, message } = error;
+    fault(place, line, message);
+    return undefined;
+  }
 }
 
 const programs = read(path.join(build, 'programs.txt')).split('\n').filter(Boolean).sort();
+if (only && !programs.includes(only)) programs.push(only);
 for (const { id } of edition.chapters)
   for (const file of fs.readdirSync(path.join(source, 'chapters', id)).filter((f) => /^s\d\d\.cpp$/.test(f)))
     if (!programs.includes(`${id}-${file.slice(1, 3)}`))
-      fail(`chapters/${id}/${file}`, 1, 'is no program of this build; run cmake again');
+      fault(`chapters/${id}/${file}`, 1, 'is no program of this build; run cmake again');
 
 const book = {
   source,
   build,
+  only,
   ...edition,
-  formulas: new Formulas(path.join(build, 'formulas.json')),
-  sections: new Map(programs.map(section).map((s) => [s.id, s])),
+  version: /project\([^)]*VERSION ([\d.]+)/.exec(read(path.join(source, 'CMakeLists.txt')))?.[1] ?? '',
+  formulas: new Formulas(path.join(build, only ? `formulas-${only}.json` : 'formulas.json')),
+  sections: new Map(
+    programs
+      .map(section)
+      .filter(Boolean)
+      .map((s) => [s.id, s]),
+  ),
   swing: json(path.join(source, 'book/speeds/swing.json')),
   colours: palette(read(path.join(source, 'figures/style.gp'))),
   snippet,
+  divisions,
   drawn: new Set(),
+  write,
+  fault,
+  read: (file) => (fs.existsSync(path.join(source, file)) ? read(path.join(source, file)) : null),
 };
+book.terms = lists.terms(book);
 
 // ----------------------------------------------------------------------------------------------- the figures
 
@@ -127,7 +200,10 @@ function shown(name, script, data, alt, opening, caption) {
   write(`html/figures/${file}`, read(path.join(source, script)));
   for (const tsv of data) {
     const told = path.join(build, 'told', tsv);
-    if (!fs.existsSync(told)) fail(script, 1, `draws from ${tsv}, which no program writes`);
+    if (!fs.existsSync(told)) {
+      fault(script, 1, `draws from ${tsv}, which no program writes`);
+      continue;
+    }
     write(`html/data/${tsv}`, read(told));
   }
   const links = [
@@ -136,7 +212,8 @@ function shown(name, script, data, alt, opening, caption) {
     ...data.map((f) => [`data/${f}`, f]),
   ];
   return (
-    `${opening}\n${inline(svg, name, alt, book.colours)}<figcaption>${caption}` +
+    `${opening}\n<div class="drawing" tabindex="0" role="group" aria-label="Drawing">\n` +
+    `${inline(svg, name, alt, book.colours)}</div>\n<figcaption>${caption}` +
     `<span class="take">${links.map(([to, text]) => `<a href="${to}" download>${text}</a>`).join(' ')}` +
     `</span></figcaption>\n</figure>\n`
   );
@@ -150,231 +227,81 @@ book.figure = (name, alt, caption, page) => {
     throw new Error(`there is no ${script} for ::: figure ${name}`);
   const text = read(path.join(source, script));
   const data = [...new Set([...text.matchAll(/tsv\("([^"]+)"\)/g)].map((m) => `${m[1]}.tsv`))];
-  const number = page.figures.length;
-  if (!page.section) return shown(name, script, data, alt, '<figure>', `${caption} `);
-  const label = `<span class="label">Fig. ${number}</span> ${caption}`;
+  if (!page.section) return shown(name, script, data, alt, `<figure data-figure="${name}">`, `${caption} `);
   book.drawn.add(name);
   write(
     `html/thumbnails/${name}.svg`,
     thumbnail(read(path.join(build, `drawn/${name}.svg`)), name, book.colours),
   );
-  return shown(name, script, data, alt, `<figure id="fig-${number}">`, label);
+  const curves = data.map((f) => f.split('.')[1]).map((curve) => lookedAt(page.section, curve));
+  const proved = [...new Set(curves.filter(Boolean))].join('; ');
+  return numbered(page, name, script, data, alt, `${caption}${proved && ` <span class="proved">Its data: ${proved}.</span>`}`);
 };
+
+/** A figure with its number on a section's page, where it can be linked to. */
+function numbered(page, name, script, data, alt, caption) {
+  page.drawings = (page.drawings ?? 0) + 1;
+  const opening = `<figure id="fig-${page.drawings}" data-figure="${name}">`;
+  const label = `<a class="label" href="#fig-${page.drawings}">Fig. ${page.drawings}</a> `;
+  return shown(name, script, data, alt, opening, label + caption);
+}
 
 /** A plot that race.mjs has drawn by a script that many share, its data under the plot's own name. */
-book.plot = (name, script, alt, caption) =>
-  shown(name, script, [`${name}.tsv`], alt, '<figure>', `${caption} `);
-
-// ----------------------------------------------------------------------------------------- the section pages
-
-const html = (text) => `\\htmlonly[block]\n${text.replaceAll('*/', '*&#47;').trim()}\n\\endhtmlonly\n`;
-const code = (text, file, line) => {
-  if (/\*\/|\\endcode/.test(text)) fail(file, line, 'a block comment at the margin is prose; in code use //');
-  return `\\code{.cpp}\n${text}\n\\endcode\n`;
-};
-const page = (name, title, body) => {
-  const command = name === 'index' ? 'mainpage' : `page ${name} ${title.replace(/[\\@#%&<>"]/g, ' ')}`;
-  return `/*! \\${command}\n${body}*/\n`;
-};
-const plurals = { erratum: 'errata', emendation: 'emendations' };
-const headings = ['What Euler does', 'The program', 'Checks', 'Notes'];
-
-/** A statement with a capital, unless it opens with a letter of Euler's: b, dz, l 2. */
-const sentence = (words) =>
-  /^(a|an|[a-z]{3,})\b/.test(words) || /^(as|at|by|if|in|it|no|of|on|so|to|up)\b/.test(words)
-    ? words[0].toUpperCase() + words.slice(1)
-    : words;
-
-/** A TELL block; one that only feeds a figure or a race is folded under a line that says so. */
-function folded(block, file) {
-  const feeds = [
-    [/\bcurve\(/, 'what the figure is drawn from'],
-    [/\brace\(/, 'the ways that are compared'],
-  ].filter(([call]) => call.test(block.code));
-  const shown = code(block.code, file, block.line);
-  if (!feeds.length || /\b(tell|tell_lines|table)\(/.test(block.code)) return shown;
-  const summary = feeds.map(([, words]) => words).join(', and ');
-  return html(`<details class="folded"><summary>${summary}</summary>`) + shown + html('</details>');
-}
-
-function sectionPage(s) {
-  const p = new Page(book, s.file, s);
-  const found = [];
-  const count = { check: 0 };
-  const last = s.blocks.filter((b) => b.kind === 'TELL').at(-1);
-  if (!last) fail(s.file, 1, 'no TELL block: the section says nothing');
-  const weave = {
-    prose(b) {
-      for (const m of b.text.matchAll(/^(#+) +(.*)$/gm)) {
-        const line = b.line + b.text.slice(0, m.index).split('\n').length - 1;
-        if (m[1] === '#' || m[1].length > 3 || (m[1] === '###' && !found.length))
-          fail(s.file, line, `the heading "${m[0]}" is out of order`);
-        if (m[1] === '##' && m[2] !== headings[found.length])
-          fail(
-            s.file,
-            line,
-            `the heading "${m[2]}" stands where "${headings[found.length] ?? 'none'}" is due`,
-          );
-        if (m[1] === '##') found.push(m[2]);
-      }
-      return html(p.html(b.text, b.line));
-    },
-    code: (b) => code(b.code, s.file, b.line),
-    TELL: (b) => folded(b, s.file) + (b === last ? html(told(s)) : ''),
-    check(b) {
-      const run = s.check.cases.find((c) => c.name === b.name);
-      if (!run) fail(s.file, b.line, `the check "${b.name}" was not run`);
-      count.check += 1;
-      return (
-        html(
-          `<section class="check" id="check-${count.check}"><p class="statement">${verdict(run.passed)} ` +
-            `${escape(sentence(b.name))}</p>`,
-        ) +
-        code(b.code, s.file, b.line) +
-        html(`${claims(run.claims)}</section>`)
-      );
-    },
-  };
-  const entry = (b) => {
-    const kind = b.kind.toLowerCase();
-    const n = (count[kind] = (count[kind] ?? 0) + 1);
-    const declared = [...s.told.errata, ...s.told.emendations, ...s.told.doubtful, ...s.told.undecided].find(
-      (e) => e.kind === kind && e.where === b.name,
-    );
-    const tried = s.check.apparatus.find((e) => e.kind === kind && e.where === b.name);
-    if (!declared || !tried) fail(s.file, b.line, `the ${kind} "${b.name}" is not told by the program`);
-    return (
-      html(
-        `<section class="entry ${kind}" id="${kind}-${n}">${reading(declared, tried)}<details>` +
-          `<summary>the proof</summary>`,
-      ) +
-      code(b.code, s.file, b.line) +
-      html('</details></section>')
-    );
-  };
-  const body = s.blocks.map((b) => (weave[b.kind] ?? entry)(b)).join('\n');
-  for (const name of headings.slice(0, 3))
-    if (!found.includes(name)) fail(s.file, 1, `the heading "${name}" is missing`);
-  for (const n of s.coded)
-    if (!s.equations.has(n))
-      fail(s.file, 1, `a comment in the code names the formula (${n}), which the prose does not give`);
-  if (!p.figures.length && !p.noFigure) fail(s.file, 1, 'no figure, and no reason for none (::: no-figure)');
-  if (p.figures.length && p.noFigure) fail(s.file, 1, 'a figure, and a reason for none');
-  const uncovered = s.check.cases.filter(
-    (c) => !s.blocks.some((b) => b.kind === 'check' && b.name === c.name),
-  );
-  if (uncovered.length)
-    fail(s.file, uncovered[0].line, `the check "${uncovered[0].name}" does not stand on the page`);
-  const entries = ['erratum', 'emendation', 'doubtful', 'undecided'].filter((kind) => count[kind]);
-  const account = s.blocks[0].text
-    .replace(/^\s*## .*$/m, '')
-    .trim()
-    .split(/\n\s*\n/)[0];
-  Object.assign(s, {
-    figures: p.figures,
-    noFigure: p.noFigure,
-    entries,
-    checks: count.check,
-    holds: s.check.passed,
-    line: p.inline(/^[^]*?[.!?](?=\s|$)/.exec(account.replace(/\s+/g, ' '))?.[0] ?? account),
-  });
-  const claimed = s.check.cases.reduce((n, c) => n + c.claims.length, 0);
-  const chapter = book.chapters.find((c) => c.id === s.chapter);
-  const head =
-    `<header class="opening"><p class="running"><a href="${s.chapter}.html">${escape(chapter.title)}</a> ` +
-    `<span class="section-number">§ ${Number(s.number)}</span></p>\n` +
-    `<h1>${escape(s.told.title)}</h1></header>\n<aside class="margin summary"><p>${verdict(s.holds)} ` +
-    `<a href="#checks">${count.check} ${count.check === 1 ? 'check' : 'checks'}, ${claimed} claims</a></p>` +
-    entries
-      .map(
-        (kind) =>
-          `<p><span class="siglum" aria-hidden="true">${sigla[kind]}</span> <a href="#${kind}-1">` +
-          `${count[kind] === 1 ? kind : `${count[kind]} ${plurals[kind] ?? kind}`}</a></p>`,
-      )
-      .join('') +
-    '</aside>';
-  write(`html/programs/${s.name}.cpp`, read(path.join(source, s.file)));
-  const plain =
-    html(
-      `<details class="plain"><summary>The whole program</summary>\n<p class="take"><a href="programs/` +
-        `${s.name}.cpp" download>${s.name}.cpp</a></p>`,
-    ) + `\\include ${s.chapter}/s${s.number}.cpp\n${html('</details>')}`;
-  write(`dox/${s.name}.dox`, page(s.name, s.told.title, `${html(head)}\n${body}\n${plain}`));
-  return {
-    name: s.name,
-    title: s.told.title,
-    chapter: s.chapter,
-    number: Number(s.number),
-    outline: [
-      ...found.slice(0, 2),
-      'What it says',
-      ...(s.told.races.length ? ['Speed against error'] : []),
-      ...found.slice(2),
-    ],
-  };
-}
-
-function told(s) {
-  return (
-    `<h2 id="what-it-says">What it says</h2>\n` +
-    `<pre class="told" tabindex="0" role="group" aria-label="Output of ${s.name}"><code>` +
-    `<span class="prompt">$ ${s.name}</span>\n` +
-    `${escape(s.text.trimEnd())}</code></pre>\n` +
-    `${s.told.races.length ? `<h2 id="speed-against-error">Speed against error</h2>\n${races(s, book)}` : ''}`
-  );
-}
+book.plot = (name, script, alt, caption, page) =>
+  page?.section
+    ? numbered(page, name, script, [`${name}.tsv`], alt, caption)
+    : shown(name, script, [`${name}.tsv`], alt, `<figure data-figure="${name}">`, `${caption} `);
 
 // --------------------------------------------------------------------------------------------- all the pages
 
 /** A page of prose: `# Title`, then Markdown. */
-function proseFile(file, name, head, more) {
+function proseFile(file, name, head, more, chapter) {
   const text = read(path.join(source, file));
-  const [, title] = /^# (.+)\n/.exec(text) ?? fail(file, 1, 'must open with "# " and a title');
-  const p = new Page(book, file);
+  const title = /^# (.+)\n/.exec(text)?.[1];
+  if (!title) fault(file, 1, 'must open with "# " and a title');
+  const p = new Page(book, file, null, chapter);
   p.name = name;
   const body = p.html(text.slice(text.indexOf('\n')), 1);
-  write(
-    `dox/${name}.dox`,
-    page(
-      name,
-      title,
-      html(`<header class="opening">${head}<h1>${p.inline(title)}</h1></header>\n${body}${more}`),
-    ),
-  );
-  return { name, title, outline: [...text.matchAll(/^## (.+)$/gm)].map((m) => m[1]) };
+  const opening = `<header class="opening">${head}<h1>${p.inline(title ?? name)}</h1></header>\n`;
+  write(`dox/${name}.dox`, page(name, title ?? name, html(`${opening}${body}${more}${explained(p)}`)));
+  const headings = [...text.matchAll(/^## (.+)$/gm)].map((m) => [slug(m[1]), m[1]]);
+  return { name, title, outline: [...headings, ...(p.headings ?? [])] };
 }
 
-book.collected = (what) => {
+book.collected = (what, page) => {
   const [name, rest] = what.split(/ (.*)/);
   if (!lists[name]) throw new Error(`{{collected ${what}}} is not known (${Object.keys(lists).join(', ')})`);
-  return lists[name](book, rest);
+  return lists[name](book, rest, page);
 };
 book.speed = (name) => value(book, name);
+book.page = (file, chapter) => new Page(book, file, null, chapter);
 
-function everything() {
-  const pages = new Map([...book.sections.values()].map((s) => [s.name, sectionPage(s)]));
+/** What no section's page shows of figures/, and tables in the library's comments that Doxygen would lose. */
+function orphans() {
   for (const script of fs.readdirSync(path.join(source, 'figures')).filter((f) => f.endsWith('.gp'))) {
     const name = script.slice(0, -3);
-    if (!['style', 'race', 'errors'].includes(name) && !book.drawn.has(name))
-      fail(`figures/${script}`, 1, 'an orphan: no section shows this figure');
+    const of = /^([a-z]+)-(\d\d)/.exec(name);
+    const known = !of || !programs.includes(of[0]) || book.sections.has(`${of[1]}.${of[2]}`);
+    if (!['style', 'race', 'errors'].includes(name) && known && !book.drawn.has(name))
+      fault(`figures/${script}`, 1, 'an orphan: no section shows this figure');
   }
-  const matter = (name) => proseFile(`book/matter/${name}.md`, name, '', '');
-  const order = edition.before.map(matter);
-  for (const c of edition.chapters) {
-    const head =
-      `<p class="running"><span class="paper" lang="la">${c.paper}</span>` +
-      `${c.where ? `, ${c.where}` : ''}</p>`;
-    order.push({
-      ...proseFile(`chapters/${c.id}/chapter.md`, c.id, head, lists.map(book, c)),
-      title: c.title,
-      chapter: c.id,
-    });
-    order.push(
-      ...[...book.sections.values()].filter((s) => s.chapter === c.id).map((s) => pages.get(s.name)),
-    );
-  }
-  order.push(...edition.after.map(matter));
-  const claim = (s, c, k) => ({
+  const src = path.join(source, 'src');
+  const headers = fs.existsSync(src)
+    ? fs.readdirSync(src, { recursive: true }).filter((f) => f.endsWith('.hpp'))
+    : [];
+  for (const header of headers)
+    read(path.join(src, header))
+      .split('\n')
+      .forEach((line, i) => {
+        const row = /^\s*(?:\/\/\/|\*)\s*(\|.*\|)\s*$/.exec(line)?.[1];
+        if (row && /`[^`]*\|[^`]*`|\\f\$[^$]*\|[^$]*\\f\$/.test(row))
+          fault(`src/${header}`, i + 1, 'a bar in code or in a formula: Doxygen loses the whole table');
+      });
+}
+
+/** The ledger: every claim of every check, and which told numbers the check looks at. */
+function ledger() {
+  const claim = (s, c, looks, k) => ({
     section: s.id,
     statement: c.name,
     claim: k.expression,
@@ -382,15 +309,54 @@ function everything() {
     expected: k.expected,
     tolerance: k.tolerance,
     because: k.because,
+    times: k.times,
+    at: k.at,
+    looks,
     check: `${s.file}:${c.line}`,
     verdict: k.passed ? 'holds' : 'fails',
   });
-  const ledger = [...book.sections.values()].flatMap((s) =>
-    s.check.cases.flatMap((c) => c.claims.map((k) => claim(s, c, k))),
+  return [...book.sections.values()].flatMap((s) =>
+    s.check.cases.flatMap((c, i) => {
+      const looks = Object.keys(s.check.covers).filter((key) => s.check.covers[key].includes(i + 1));
+      return c.claims.map((k) => claim(s, c, looks, k));
+    }),
   );
-  write('html/claims.json', `${JSON.stringify(ledger, null, 1)}\n`);
+}
+
+/** The order of the book: each page's name, title and outline. `weave` makes a page, or only names it. */
+function everything() {
+  const titled = (file) => /^# (.+)$/m.exec(read(path.join(source, file)))?.[1] ?? file;
+  const prose = (file, name, head = '', more = () => '', chapter = undefined) =>
+    only ? { name, title: titled(file), outline: [] } : proseFile(file, name, head, more(), chapter);
+  const matter = (name) => prose(`book/matter/${name}.md`, name);
+  const of = (c) => [...book.sections.values()].filter((s) => s.chapter === c.id);
+  const pages = new Map();
+  for (const s of book.sections.values())
+    pages.set(
+      s.name,
+      !only || s.name === only
+        ? sectionPage(s, book)
+        : { name: s.name, title: s.told.title, chapter: s.chapter, number: Number(s.number), outline: [] },
+    );
+  const order = edition.before.map(matter);
+  for (const c of edition.chapters) {
+    const head =
+      `<p class="running"><span class="paper" lang="la">${c.paper}</span>` +
+      `${c.where ? `, ${c.where}` : ''}</p>`;
+    const opening = prose(`chapters/${c.id}/chapter.md`, c.id, head, () => lists.map(book, c), c.id);
+    order.push({ ...opening, title: c.title, chapter: c.id });
+    if (book.read(`chapters/${c.id}/map.md`)) {
+      const running = `<p class="running"><a href="${c.id}.html">${escape(c.title)}</a></p>`;
+      const map = prose(`chapters/${c.id}/map.md`, `${c.id}-map`, running, () => '', c.id);
+      order.push({ ...map, chapter: c.id });
+    }
+    order.push(...of(c).map((s) => pages.get(s.name)));
+  }
+  order.push(...edition.after.map(matter));
   write('pages.json', `${JSON.stringify(order, null, 1)}\n`);
-  book.formulas.save();
+  if (only) return 1;
+  orphans();
+  write('html/claims.json', `${JSON.stringify(ledger(), null, 1)}\n`);
   for (const folder of ['dox', 'html/figures', 'html/thumbnails', 'html/data', 'html/programs'])
     // nothing stays of what is gone
     for (const f of fs.existsSync(path.join(build, folder)) ? fs.readdirSync(path.join(build, folder)) : [])
@@ -398,4 +364,10 @@ function everything() {
   return order.length;
 }
 
-console.log(`woven: ${everything()} pages`);
+const woven = everything();
+book.formulas.save();
+if (faults.size) {
+  const sorted = [...faults].sort(([, [f, l]], [, [g, m]]) => (f < g ? -1 : f > g ? 1 : l - m));
+  console.error(sorted.map(([words]) => words).join('\n'));
+  process.exitCode = 1;
+} else console.log(`woven: ${woven} ${woven === 1 ? 'page' : 'pages'}`);

@@ -1,6 +1,6 @@
 # Error against time for one evaluation, for any race. Besides `data` and `out`: `source`, the data's name;
-# `quantity`, what the error is; `families`, how many lines of methods it has; `left`, `right`, `low`, `high`,
-# the frame. Blocks of the data: all methods, the front, the names, and the families, parted by empty lines. The
+# `quantity`, what the error is; `families`, how many lines of methods it has; `clipped`, the error at which smaller
+# ones are drawn, or 0 where there are none; `left`, `right`, `low`, `high`, the frame. Blocks of the data: all methods, the front, the names, and the families, parted by empty lines. The
 # names stand at the right edge, each tied to its point.
 load "figures/style.gp"
 set logscale xy
@@ -11,12 +11,15 @@ set ylabel quantity
 set xrange [left:right]
 set yrange [low:high]
 set rmargin at screen 0.64
+if (clipped > 0) \
+  set arrow from left, clipped to right, clipped nohead lt 6 dt (2, 4); \
+  set label "what is nearer is drawn here" at right, clipped right offset -0.6, -0.6 font ",13" textcolor lt 6
 lines_of_families = families ? \
-  "tsv(source) index 3 using 'seconds':'error':'colour' with lines linecolor variable lw 1.2," : ""
+  "tsv(source) index 3 using 'seconds':'drawn':'colour' with lines linecolor variable lw 1.2," : ""
 plot @lines_of_families \
-     tsv(source) index 1 using "seconds":"error" with steps lt 6 dt (6, 3), \
-     tsv(source) index 2 using 2:3:(right - $2):($4 - $3) with vectors nohead lc rgb faint lw 1, \
-     tsv(source) index 0 using "seconds":"error":"colour" with points pt 7 ps 0.7 linecolor variable, \
+     tsv(source) index 1 using "seconds":"drawn" with steps lt 6 dt (6, 3), \
+     tsv(source) index 2 using 2:4:(right - $2):($5 - $4) with vectors nohead lc rgb faint lw 1, \
+     tsv(source) index 0 using "seconds":"drawn":"colour" with points pt 7 ps 0.7 linecolor variable, \
      for [colour in "1 2 3 7"] tsv(source) index 2 \
        using (0.999 * right):"height":(column("colour") == colour + 0 ? stringcolumn("name") : "") \
        with labels left offset 0.5, 0 noenhanced textcolor lt colour

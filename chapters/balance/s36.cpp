@@ -151,6 +151,31 @@ TELL
   });
 }
 
+/*!
+{{table rows}}
+
+The beam keeps to Euler's formula within a few minutes. The pans do not: half-way, at 180°, they stand
+{{apart|f0}}′ apart, where {{eq 1}} has {{apart_by_1|f0}}′. In one period of the beam P departs from {{eq 1}}
+by up to {{missed|f1}}′, while what the formula adds to a regular swing is {{added|f1}}′ at most: he leaves
+out nearly three times what he keeps. After both steps only {{left|f1}}′ remain.
+
+::: figure balance-36
+alt: Minutes by which the two pans stray from regular swings, over one period of the beam. By Euler's formula,
+with points at the thirteen moments of his table, they stay within 9 minutes and mirror each other. By the
+full equations they swing three times as far, at first against each other, in the end together.
+
+How far the pans stray from regular swings, $n\cos\mu t$; the points are the moments of Euler's table. In
+truth the pans stray more than twice as far. At first they do so against each other, by the term that he
+drops; in the end together, because both lag.
+:::
+
+The times, too, are only roughly right. In half a second the angle is a little less than 30°, and it adds up:
+at 6 seconds $\mu t$ still lacks {{phase_missed|3}}°, and by his own formula P is then at {{eta_at_six}}, not
+at the 10° of his last row.
+
+## Speed against error
+*/
+
 TELL
 {
   const Release r = given();
@@ -168,32 +193,12 @@ TELL
                     [=] { return by_gsl(b, start, t, std::pow(10, -digits)).at.eta; }, "GSL rk8pd"});
   for(const int digits : {4, 8, 12})
     ways.push_back({"Gauss, 1e-" + std::to_string(digits),
-                    [=] { return Motion(b, start, std::pow(10, -digits)).to(t).at.eta; }, "Gauss, 8 stages"});
+                    [=] { return Motion(b, start, std::pow(10, -digits)).to(t).at.eta; },
+                    "Gauss, 8 stages"});
   race("eta", "η at λt = 180°", oracle(b, start, t).at.eta, ways);
 }
 
 /*!
-{{table rows}}
-
-The beam keeps to Euler's formula within a few minutes. The pans do not: half-way, at 180°, they stand
-{{apart|f0}}′ apart, where {{eq 1}} has {{apart_by_1|f0}}′. In one period of the beam P departs from {{eq 1}}
-by up to {{missed|f1}}′, while what the formula adds to a regular swing is {{added|f1}}′ at most: he leaves out
-nearly three times what he keeps. After both steps only {{left|f1}}′ remain.
-
-::: figure balance-36
-alt: Minutes by which the two pans stray from regular swings, over one period of the beam. By Euler's formula,
-with points at the thirteen moments of his table, they stay within 9 minutes and mirror each other. By the
-full equations they swing three times as far, at first against each other, in the end together.
-
-How far the pans stray from regular swings, $n\cos\mu t$; the points are the moments of Euler's table. In truth
-the pans stray more than twice as far. At first they do so against each other, by the term that he drops; in the
-end together, because both lag.
-:::
-
-The times, too, are only roughly right. In half a second the angle is a little less than 30°, and it adds up:
-at 6 seconds $\mu t$ still lacks {{phase_missed|3}}°, and by his own formula P is then at {{eta_at_six}}, not
-at the 10° of his last row.
-
 ## Checks
 
 Of the table the scan has kept, in each of thirteen rows, the degrees and minutes of $\omega$ and one number
@@ -281,10 +286,10 @@ const Doubtful labels{"§36, table, the times",
                       [](double last) { return 1 + 2 * last == std::size(scan); }};
 
 /*!
-Then the motion. The energy does not occur in the equations that are integrated, and yet it keeps its value. When
-all angles are made ten times smaller, the error of an approximation falls a hundredfold where it is complete
-to the first order, a thousandfold where to the second. Euler's falls a hundredfold: he has terms of the second
-order, but not all.
+Then the motion. The energy does not occur in the equations that are integrated, and yet it keeps its value.
+When all angles are made ten times smaller, the error of an approximation falls a hundredfold where it is
+complete to the first order, a thousandfold where to the second. Euler's falls a hundredfold: he has terms of
+the second order, but not all.
 */
 
 CHECK_THAT("over one period of the beam the full motion keeps its energy")
@@ -312,6 +317,7 @@ two causes differ in kind. The missing term of the second order comes and goes w
 Euler kept. The longer period is of the third order, beyond what his equations for very small angles can show,
 and it accumulates: with every swing each pan lags a little more behind the table.
 
-The number that can hardly be greater has lost its letter in the scan. It must be $i$, which {{sec balance.34}}
-makes the measure of the irregularity. But his own balance there has a greater one, before he rounds it down.
+The number that can hardly be greater has lost its letter in the scan. It must be $i$, which
+{{sec balance.34}} makes the measure of the irregularity. But his own balance there has a greater one, before
+he rounds it down.
 */

@@ -41,15 +41,15 @@ The scan has {{eq 1}} and {{eq 2}} otherwise; *Checks* has the readings, and why
 
 ## The program
 
-Formula {{eq 1}} and the term that follows it in the expansion are shared. The logarithm is taken as an inverse
-hyperbolic sine, which keeps its digits at the start of the motion too.
+Formula {{eq 1}} and the term that follows it in the expansion are shared. The logarithm is taken as an
+inverse hyperbolic sine, which keeps its digits at the start of the motion too.
 
 ::: code globe/time.hpp by_euler (1)
 :::
 
 What does {{eq 1}} leave out? In {{sec globe.16}} Euler replaced $\sqrt{kk+cc\sin^2\Phi}$ by
-$k + cc\sin^2\Phi/2k$. There is no need to. With $v = \sin\tfrac12\Phi$ the integral of {{sec globe.13}} can be
-split without any neglect:
+$k + cc\sin^2\Phi/2k$. There is no need to. With $v = \sin\tfrac12\Phi$ the integral of {{sec globe.13}} can
+be split without any neglect:
 
 $$ t\sqrt{2gc} = k\,l\cot\tfrac12\omega
  + \int_0^{\cos\omega}\!\frac{4cc\,vv\;dv}{k+\sqrt{kk+4cc\,vv(1-vv)}}. \tag{3} $$
@@ -71,8 +71,8 @@ elliptic. In Carlson's symmetric integrals all that is infinite at the top stand
 ::: code globe/time.cpp time
 :::
 
-Euler gives no numbers. Ours are a homogeneous ball of weight 4/5 and radius 1 foot with a pellet of weight 1/5
-halfway between centre and surface. The angle is given as his ω, the quantity that is small near the top;
+Euler gives no numbers. Ours are a homogeneous ball of weight 4/5 and radius 1 foot with a pellet of weight
+1/5 halfway between centre and surface. The angle is given as his ω, the quantity that is small near the top;
 `--omega 1e-300rad` is a good question.
 */
 
@@ -119,24 +119,6 @@ TELL
   });
 }
 
-TELL
-{
-  const double c_ = c, k_ = k, w = omega;
-  std::vector<Method> ways{{"Euler's formula (1)", [=] { return separatrix_time_by_euler(c_, k_, w); }},
-                           {"and the next term", [=] {
-                              return separatrix_time_by_euler(c_, k_, w) + separatrix_next_term(c_, k_, w);
-                            }}};
-  for(const int n : {2, 4, 6, 8})
-    ways.push_back({"rest by Gauss, " + std::to_string(n) + " nodes",
-                    [=, gauss = Gauss(n)] {
-                      return k_ * std::asinh(1 / std::tan(w))
-                             + gauss([=](double v) { return rest(c_, k_, v); }, 0, std::cos(w));
-                    },
-                    "logarithm taken out"});
-  ways.push_back({"Carlson's integrals", [=] { return separatrix_time(c_, k_, w); }});
-  race("tau", "t√(2gc)", separatrix_time<Fifty>(c_, k_, w), ways);
-}
-
 /*!
 The ball takes {{t|6}} s for the right angle, and Euler's formula is late by {{late|2}}, although $c$ is a
 sixth of $k$; even where $c = k$ it would be late by no more than {{late_equal|2}}.
@@ -158,6 +140,28 @@ The error of {{eq 1}} at $\Phi = 90°$ against the eccentricity, in units of $k$
 must be wrong by $c^4$ only. With $2cc/3k$ it is; with $cc/3k$ it is wrong by a part of $cc$ itself.
 :::
 
+## Speed against error
+*/
+
+TELL
+{
+  const double c_ = c, k_ = k, w = omega;
+  std::vector<Method> ways{{"Euler's formula (1)", [=] { return separatrix_time_by_euler(c_, k_, w); }},
+                           {"and the next term", [=] {
+                              return separatrix_time_by_euler(c_, k_, w) + separatrix_next_term(c_, k_, w);
+                            }}};
+  for(const int n : {2, 4, 6, 8})
+    ways.push_back({"rest by Gauss, " + std::to_string(n) + " nodes",
+                    [=, gauss = Gauss(n)] {
+                      return k_ * std::asinh(1 / std::tan(w))
+                             + gauss([=](double v) { return rest(c_, k_, v); }, 0, std::cos(w));
+                    },
+                    "logarithm taken out"});
+  ways.push_back({"Carlson's integrals", [=] { return separatrix_time(c_, k_, w); }});
+  race("tau", "t√(2gc)", separatrix_time<Fifty>(c_, k_, w), ways);
+}
+
+/*!
 ## Checks
 
 The exact time is confirmed by Euler's three equations of motion ({{sec globe.06}}, {{sec globe.07}}), which
@@ -226,10 +230,11 @@ CHECK_THAT("near the top each halving of what is missing takes k l 2, without en
 }
 
 /*!
-Now the readings. A letter s stands in the scan where {{eq 2}} has its 3, and the $k$ is doubled. The coefficient
-of {{eq 1}} stands without its 2 in all lines that lead to it. In Euler's hand that would have been a slip; but
-then the example would have $6k\sqrt2$, so the 2 may just be lost. The sign of the logarithm in {{eq 2}} may be
-mended in two ways, and no calculation can tell which was set. The proof is the motion of our ball.
+Now the readings. A letter s stands in the scan where {{eq 2}} has its 3, and the $k$ is doubled. The
+coefficient of {{eq 1}} stands without its 2 in all lines that lead to it. In Euler's hand that would have
+been a slip; but then the example would have $6k\sqrt2$, so the 2 may just be lost. The sign of the logarithm
+in {{eq 2}} may be mended in two ways, and no calculation can tell which was set. The proof is the motion of
+our ball.
 */
 
 bool is_the_time(double reading)

@@ -94,7 +94,7 @@ difference is due to the body: {{body|4}}, against {{arc|3}} for the arc.
 
 ::: figure pendulum-01
 alt: Two curves against the amplitude from 0 to 120 degrees. The correction for the body is a level line at
-15.5 percent. The correction for the arc starts at nothing, stays below one percent to 20 degrees, crosses the
+{{body|3}}. The correction for the arc starts at nothing, stays below one percent to 20 degrees, crosses the
 level line near 84 degrees and reaches 37 percent at 120 degrees.
 
 The two corrections for a rod hung by its end, in percent. That for the body is the same for all arcs; that

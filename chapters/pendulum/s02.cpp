@@ -75,7 +75,34 @@ TELL
   tell("error", down / exact - 1, "the relative error of t, from so few parts");
 }
 
+TELL
+{
+  curve("fig_1", {"x", "y"}, [](Curve& c) {
+    const Point A{0, 0}, G = at(1, swing_.zeta);
+    line(c, A, at(1, 0));             // AB
+    line(c, A, G);                    // AG
+    line(c, A, at(1, -swing_.zeta));  // the other side
+    line(c, G, {G.x, G.y - 0.22});    // GH
+    arc(c, 1, -swing_.zeta, swing_.zeta);
+    arc(c, 0.28, 0, swing_.zeta);
+  });
+}
+
 /*!
+With each half of the swing cut into {{n}} parts the relative error of $t$ is {{error|e1}}.
+
+::: figure pendulum-02
+alt: A point A at the top. From it a vertical line down to B, an oblique line down to the right to G, and a
+dashed line as far to the left. An arc leads from the dashed line's end through B to G. The angle between AB
+and AG is marked ζ. From G a short arrow leads straight down to H.
+
+The first figure of Euler's plate, drawn after the text. $A$ is the axis seen end on, $AB$ the position of
+rest, $G$ the centre of gravity at the greatest excursion ζ, and $GH$ the vertical in which gravity acts
+({{sec pendulum.03}}). The time from $G$ to $B$ is $t$; that from $G$ to the end of the dashed line is $T$.
+:::
+
+## Speed against error
+
 The same sum over equal parts of $\Phi$ itself shows why it is not done that way.
 */
 
@@ -103,32 +130,7 @@ TELL
   race("t", "t√(2g)/√b", exact::pi() / 2 * ratio_by_mean(swing_.eta.fifty()), ways);
 }
 
-TELL
-{
-  curve("fig_1", {"x", "y"}, [](Curve& c) {
-    const Point A{0, 0}, G = at(1, swing_.zeta);
-    line(c, A, at(1, 0));             // AB
-    line(c, A, G);                    // AG
-    line(c, A, at(1, -swing_.zeta));  // the other side
-    line(c, G, {G.x, G.y - 0.22});    // GH
-    arc(c, 1, -swing_.zeta, swing_.zeta);
-    arc(c, 0.28, 0, swing_.zeta);
-  });
-}
-
 /*!
-With each half of the swing cut into {{n}} parts the relative error of $t$ is {{error|e1}}.
-
-::: figure pendulum-02
-alt: A point A at the top. From it a vertical line down to B, an oblique line down to the right to G, and a
-dashed line as far to the left. An arc leads from the dashed line's end through B to G. The angle between AB
-and AG is marked ζ. From G a short arrow leads straight down to H.
-
-The first figure of Euler's plate, drawn after the text. $A$ is the axis seen end on, $AB$ the position of
-rest, $G$ the centre of gravity at the greatest excursion ζ, and $GH$ the vertical in which gravity acts
-({{sec pendulum.03}}). The time from $G$ to $B$ is $t$; that from $G$ to the end of the dashed line is $T$.
-:::
-
 ## Checks
 
 The judge integrates over the whole swing in $\Phi$, from $-\zeta$ to $\zeta$, in fifty digits and with both

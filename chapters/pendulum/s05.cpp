@@ -109,26 +109,6 @@ TELL
   tell("acceleration", turning(phi), Unit{"rad/s²"}, "its acceleration there");
 }
 
-TELL
-{
-  using Judge = swing::oracle::Motion;
-  const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
-  const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
-  const Fifty tau = Fifty(t) * sqrt(2 * Fifty(g) / pendulum::equivalent_length(Fifty(a), Fifty(k)));
-  const Place start{0, 2 * per_second() * std::sin(swing_.zeta / 2)};
-  std::vector<Method> ways;
-  for(const int n : {16, 64, 256, 1024})
-    ways.push_back({"leapfrog, " + std::to_string(n) + " steps",
-                    [=] { return leapfrog(start, t, n, turning).phi; }, "leapfrog"});
-  for(const int n : {8, 32, 128, 512})
-    ways.push_back({"Runge-Kutta, " + std::to_string(n) + " steps",
-                    [=] { return runge_kutta(start, t, n, turning).phi; }, "Runge-Kutta"});
-  ways.push_back({"GSL, eighth order", [=] { return with_gsl(start, t, turning); }});
-  const Motion motion({swing_.zeta, swing_.eta});
-  ways.push_back({"this edition", [=] { return motion.angle(t * per_second()); }});
-  race("phi", "Φ at the time t", judge.angle(tau), ways);
-}
-
 /*!
 Euler's second figure shows the element of the motion; the next, whole motions.
 */
@@ -176,6 +156,30 @@ Four motions of one pendulum that leaves $AB$ with different speeds. The narrow 
 nearer the turning point is to the top, the longer the pendulum stays there, with almost no acceleration.
 :::
 
+## Speed against error
+*/
+
+TELL
+{
+  using Judge = swing::oracle::Motion;
+  const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
+  const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
+  const Fifty tau = Fifty(t) * sqrt(2 * Fifty(g) / pendulum::equivalent_length(Fifty(a), Fifty(k)));
+  const Place start{0, 2 * per_second() * std::sin(swing_.zeta / 2)};
+  std::vector<Method> ways;
+  for(const int n : {16, 64, 256, 1024})
+    ways.push_back({"leapfrog, " + std::to_string(n) + " steps",
+                    [=] { return leapfrog(start, t, n, turning).phi; }, "leapfrog"});
+  for(const int n : {8, 32, 128, 512})
+    ways.push_back({"Runge-Kutta, " + std::to_string(n) + " steps",
+                    [=] { return runge_kutta(start, t, n, turning).phi; }, "Runge-Kutta"});
+  ways.push_back({"GSL, eighth order", [=] { return with_gsl(start, t, turning); }});
+  const Motion motion({swing_.zeta, swing_.eta});
+  ways.push_back({"this edition", [=] { return motion.angle(t * per_second()); }});
+  race("phi", "Φ at the time t", judge.angle(tau), ways);
+}
+
+/*!
 ## Checks
 
 For the three weights of {{sec pendulum.03}} the equation can be had without $a$ and $k$: the moment of all

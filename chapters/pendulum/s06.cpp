@@ -137,8 +137,8 @@ ones are nearly ellipses; the outer ones grow pointed towards −180 and 180 deg
 these two points: it is the boundary.
 
 Equation {{eq 5}} as a picture, for five amplitudes. The pendulum goes round each closed curve clockwise, once
-in a period; the small ones are nearly ellipses of one shape. The grey curve, for 180°, is the separatrix: on it the
-pendulum comes to the top and stays there, and beyond it, which is not in this paper, it goes round.
+in a period; the small ones are nearly ellipses of one shape. The grey curve, for 180°, is the separatrix: on
+it the pendulum comes to the top and stays there, and beyond it, which is not in this paper, it goes round.
 :::
 
 ::: figure pendulum-06-length

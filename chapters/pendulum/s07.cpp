@@ -118,24 +118,6 @@ TELL
 
 TELL
 {
-  const Amplitude to{swing_.zeta, swing_.eta};
-  const double at = phi;
-  std::vector<Method> ways;
-  for(const int points : {4, 8, 16})
-    ways.push_back({"Gauss in θ, " + std::to_string(points) + " points",
-                    [=] { return by_gauss(at, to, points); }, "Gauss"});
-  ways.push_back(
-      {"Legendre's F, std", [=] { return std::ellint_1(to.modulus(), legendre_angle(at, to)); }});
-  ways.push_back({"this edition", [=] { return swing::time_from_bottom(at, to); }});
-  if(to.zeta < 1e-20)
-    return;  // 180° less that is 180° even in fifty digits
-  const Fifty eta = to.zeta < to.eta ? exact::pi() - swing_.zeta.fifty() : swing_.eta.fifty();
-  const Fifty K = oracle::K_from_complement(sin(eta / 2));
-  race("t", "t√(2g)/√b", at == to.zeta ? K : oracle::time_from_bottom(phi.fifty(), eta), ways);
-}
-
-TELL
-{
   curve("elements", {"part", "in_phi", "in_theta"}, [](Curve& c) {
     for(double part = 0; part < 1; part += part < 0.9 ? 0.01 : 0.001)
     {
@@ -158,6 +140,28 @@ $\theta/90°$, where $\sin\theta = z/c$. Both curves enclose the same area, the 
 element grows without bound where the pendulum stops; in θ it stays finite.
 :::
 
+## Speed against error
+*/
+
+TELL
+{
+  const Amplitude to{swing_.zeta, swing_.eta};
+  const double at = phi;
+  std::vector<Method> ways;
+  for(const int points : {4, 8, 16})
+    ways.push_back({"Gauss in θ, " + std::to_string(points) + " points",
+                    [=] { return by_gauss(at, to, points); }, "Gauss"});
+  ways.push_back(
+      {"Legendre's F, std", [=] { return std::ellint_1(to.modulus(), legendre_angle(at, to)); }});
+  ways.push_back({"this edition", [=] { return swing::time_from_bottom(at, to); }});
+  if(to.zeta < 1e-20)
+    return;  // 180° less that is 180° even in fifty digits
+  const Fifty eta = to.zeta < to.eta ? exact::pi() - swing_.zeta.fifty() : swing_.eta.fifty();
+  const Fifty K = oracle::K_from_complement(sin(eta / 2));
+  race("t", "t√(2g)/√b", at == to.zeta ? K : oracle::time_from_bottom(phi.fifty(), eta), ways);
+}
+
+/*!
 ## Checks
 
 The judge is the motion itself, computed by theta functions: the element of time must be the reciprocal of

@@ -172,6 +172,21 @@ TELL
 }
 
 /*!
+Ten terms for the semicircle leave out {{R|8}}. By {{eq 9}} this must lie between {{lower|8}} and {{upper|8}};
+by {{eq 8}} it need only be less than {{geometric|8}}. Nearer the top the difference is greater: try
+`--zeta 179 --N 1000`.
+
+::: figure pendulum-08
+alt: What is left out against the number of terms, both logarithmic, at 30, 90, 150 and 175 degrees. The
+wider the swing, the later the curve turns down.
+
+What $N$ terms of {{eq 7}} leave out. The geometric bound {{eq 8}}, grey, is close for a small swing and
+useless for a wide one. The dots are both bounds {{eq 9}}; no eye can part them from each other or from the
+curve.
+:::
+
+## Speed against error
+
 The bound can be put to use: add $B$ to the terms that are kept, and the error is less than $R_N/32N^2$. The
 race is between the bare series, the series so closed, and the mean.
 */
@@ -191,19 +206,6 @@ TELL
 }
 
 /*!
-Ten terms for the semicircle leave out {{R|8}}. By {{eq 9}} this must lie between {{lower|8}} and {{upper|8}};
-by {{eq 8}} it need only be less than {{geometric|8}}. Nearer the top the difference is greater: try
-`--zeta 179 --N 1000`.
-
-::: figure pendulum-08
-alt: What is left out against the number of terms, both logarithmic, at 30, 90, 150 and 175 degrees. The
-wider the swing, the later the curve turns down.
-
-What $N$ terms of {{eq 7}} leave out. The geometric bound {{eq 8}}, grey, is close for a small swing and
-useless for a wide one. The dots are both bounds {{eq 9}}; no eye can part them from each other or from the
-curve.
-:::
-
 ## Checks
 
 First the integrals as they stand, infinite at the end.

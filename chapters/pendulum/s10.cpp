@@ -148,6 +148,20 @@ TELL
 }
 
 /*!
+Swings of {{zeta_second|3}}° to each side lose a second a day against infinitely small ones, and there the
+rule is all that is needed. At 10° to each side it is wrong by only {{missed_10|2}} seconds in a day, at 30°
+by {{missed_30|3}}.
+
+::: figure pendulum-10-missed
+alt: On logarithmic axes the correction rises with slope two, and below it what the rule misses, with four.
+
+The whole correction, and what the rule misses of it, against the amplitude. The one grows as the square of
+the arc, the other as its fourth power. The grey lines are the bounds {{eq 5}}; they part only where nobody
+would use the rule.
+:::
+
+## Speed against error
+
 The ways to the correction. Try `--zeta 1e-6 --bench`: the difference of two numbers near 1 is then worth
 nothing.
 */
@@ -164,18 +178,6 @@ TELL
 }
 
 /*!
-Swings of {{zeta_second|3}}° to each side lose a second a day against infinitely small ones, and there the
-rule is all that is needed. At 10° to each side it is wrong by only {{missed_10|2}} seconds in a day, at 30°
-by {{missed_30|3}}.
-
-::: figure pendulum-10-missed
-alt: On logarithmic axes the correction rises with slope two, and below it what the rule misses, with four.
-
-The whole correction, and what the rule misses of it, against the amplitude. The one grows as the square of
-the arc, the other as its fourth power. The grey lines are the bounds {{eq 5}}; they part only where nobody
-would use the rule.
-:::
-
 ## Checks
 
 The figure's lengths, and the rule against the mean.

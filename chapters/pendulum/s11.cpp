@@ -36,17 +36,18 @@ $$ \begin{aligned} T = \Theta\Bigl(1
    &+ \frac{1^2\cdot3^2\cdot5^2\cdot7^2}{2^2\cdot4^2\cdot6^2\cdot8^2}\cdot\frac1{16} + \text{etc.}\Bigr),
    \end{aligned} \tag{2} $$
 
-which he sums to nearly $T = 1{,}1805\,\Theta$ {{entry one_digit}}, a ratio of nearly 5 to 6. Beyond the semicircle the times grow
-further, and if the pendulum is to go through the whole circle the time is infinite. It must be: brought to
-the highest point, the pendulum stays there, vertical, and never falls. The series shows the same. For then
-$d = 2b$, and it becomes
+which he sums to nearly $T = 1{,}1805\,\Theta$ {{entry one_digit}}, a ratio of nearly 5 to 6. Beyond the
+semicircle the times grow further, and if the pendulum is to go through the whole circle the time is
+infinite. It must be: brought to the highest point, the pendulum stays there, vertical, and never falls. The
+series shows the same. For then $d = 2b$, and it becomes
 
 $$ 1 + \frac{1^2}{2^2} + \frac{1^2\cdot3^2}{2^2\cdot4^2} + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}
    + \frac{1^2\cdot3^2\cdot5^2\cdot7^2}{2^2\cdot4^2\cdot6^2\cdot8^2} + \text{etc.} \tag{3} $$
 
 That its sum is infinite is seen from the integral of {{sec pendulum.07}}, which for $c = 1$ is
 
-$$ \int_0^1 \frac{dz}{1-zz}{{entry integrand}} = \tfrac12\,l\,\frac{1+z}{1-z}{{entry logarithm}}\;\Big|_{z=1} = \infty. \tag{4} $$
+$$ \int_0^1 \frac{dz}{1-zz}{{entry integrand}} = \tfrac12\,l\,\frac{1+z}{1-z}{{entry logarithm}}
+   \;\Big|_{z=1} = \infty. \tag{4} $$
 
 ## The program
 
@@ -129,9 +130,9 @@ For the semicircle the five terms that Euler writes give {{kept|8}}, and {{short
 Each term is there less than half the one before. At 150° they fall slowly, and at the top only like $1/n$.
 
 ::: figure pendulum-11
-alt: The ratio T/Θ against the amplitude. It leaves 1 slowly, passes 1.18 at 90 degrees and climbs steeply
-to infinity at 180 degrees. The sum of five terms follows it up to about 100 degrees and then stays behind,
-ending at 1.6.
+alt: The ratio T/Θ against the amplitude. It leaves 1 slowly, passes {{semicircle|3}} at 90 degrees and climbs
+steeply to infinity at 180 degrees. The sum of five terms follows it up to about 100 degrees and then stays
+behind, ending at 1.6.
 
 The time of one swing, in units of the infinitely small swing, against the amplitude. Five terms of {{eq 1}}
 serve to a little beyond the semicircle. Near the top the time grows only like $\frac2\pi\ln(8/\eta)$.
@@ -243,8 +244,8 @@ const Emendation logarithm{"§11, the logarithm",
                            }};
 
 /*!
-The divergent series, and the top itself. Landau's law, with its next term for a bound, tells how many terms it
-takes to pass ten without their being added.
+The divergent series, and the top itself. Landau's law, with its next term for a bound, tells how many terms
+it takes to pass ten without their being added.
 */
 
 CHECK_THAT(
@@ -272,8 +273,8 @@ CHECK_THAT("at 180° the time is infinite, but the double nearest π is not 180�
 }
 
 /*!
-And what is told is looked at: the time against the library's own oracle, the sums against sums of fractions or of
-fifty digits, at the semicircle, near the top, and where a thousandth of a degree is all.
+And what is told is looked at: the time against the library's own oracle, the sums against sums of fractions
+or of fifty digits, at the semicircle, near the top, and where a thousandth of a degree is all.
 */
 
 Fifty sum_of_terms(const Fifty& cc,

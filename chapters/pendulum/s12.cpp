@@ -137,7 +137,8 @@ needs four times as many terms, Landen's {{eq A}} twice as many; the mean hardly
 
 ## Speed against error
 
-Among the ways is {{eq 1}} with its tail closed by the bound $B$ of {{sec pendulum.08}}, an arc and a logarithm.
+Among the ways is {{eq 1}} with its tail closed by the bound $B$ of {{sec pendulum.08}}, an arc and a
+logarithm.
 */
 
 TELL

@@ -216,7 +216,8 @@ CHECK_THAT("from c GSL loses what the rounding of c may cost, and in the end all
 }
 
 /*!
-What is told at Euler's figure, near the top and far from it; the exact motion says how long the descent takes.
+What is told at Euler's figure, near the top and far from it; the exact motion says how long the descent
+takes.
 */
 
 CHECK_THAT("the letters and times told are those of the exact descent")

@@ -81,10 +81,6 @@ TELL
   tell("element", element_of_way(way, eta), "dt/dψ in the unit √(b/2g)");
   tell("tau", tau, "time since the start, t√(2g/b)");
   tell("cosh", eta * std::cosh(tau), degrees, "where η cosh t√(2g/b) would be by then");
-  race("difference", "dt/dψ", element_of_way(psi.fifty() - swing_.eta.fifty(), swing_.eta.fifty()),
-       {{"1/(2√(cc − zz))", [=] { return element_before<double>(psi, eta); }},
-        {"the equation (4)", [=] { return element<double>(psi, eta); }},
-        {"the product (A)", [=] { return element_of_way(way, eta); }}});
 }
 
 TELL
@@ -113,6 +109,19 @@ infinite, but only for a moment; soon all three curves lie on one, $\tfrac12 : \
 were nothing. On that {{sec pendulum.15}} builds.
 :::
 
+## Speed against error
+*/
+
+TELL
+{
+  const double eta = swing_.eta, way = psi - eta;
+  race("difference", "dt/dψ", element_of_way(psi.fifty() - swing_.eta.fifty(), swing_.eta.fifty()),
+       {{"1/(2√(cc − zz))", [=] { return element_before<double>(psi, eta); }},
+        {"the equation (4)", [=] { return element<double>(psi, eta); }},
+        {"the product (A)", [=] { return element_of_way(way, eta); }}});
+}
+
+/*!
 ## Checks
 
 The exact descent has at every moment the speed that {{eq 4}} gives it.
@@ -175,7 +184,8 @@ CHECK_THAT("one part in a hundred millions from the top the ones cancel to nothi
 }
 
 /*!
-What is told is judged by the exact descent: its speed at the moment when it has come to ψ, and the time to there.
+What is told is judged by the exact descent: its speed at the moment when it has come to ψ, and the time to
+there.
 */
 
 CHECK_THAT(

@@ -108,10 +108,6 @@ TELL
   tell("first", first, "the first term");
   tell("short_by", tau - first, "by how much it falls short");
   tell("uniform_off", tau - uniform(way, eta), "by how much (5) falls short");
-  race("descent", "t√(2g)/√b", swing::oracle::time_from_rest_past(way, eta),
-       {{"the first term", [=] { return first_term(way, eta); }},
-        {"(5)", [=] { return uniform(way, eta); }},
-        {"this edition", [=] { return swing::time_from_rest_past(way, eta); }}});
 }
 
 TELL
@@ -141,6 +137,19 @@ times η, for all starts alike, and keeps it: the dashed line is $l\,2$. Formula
 first moment, and the better, the nearer the top the descent began.
 :::
 
+## Speed against error
+*/
+
+TELL
+{
+  const double eta = swing_.eta, way = psi - eta;
+  race("descent", "t√(2g)/√b", swing::oracle::time_from_rest_past(way, eta),
+       {{"the first term", [=] { return first_term(way, eta); }},
+        {"(5)", [=] { return uniform(way, eta); }},
+        {"this edition", [=] { return swing::time_from_rest_past(way, eta); }}});
+}
+
+/*!
 ## Checks
 
 First the development {{eq 1}}, against the element of time, and the integral {{eq 2}}, against its term.

@@ -16,9 +16,9 @@ $$ \int\frac{d\omega}{\sin^{n+1}\omega} = \frac{A\cos\omega}{\sin^n\omega}{{entr
 differentiates, and puts $1 - \sin^2\omega$ for $\cos^2\omega$:
 
 $$ \begin{aligned} \frac{1}{\sin^{n+1}\omega}
-  &= -\frac{A}{\sin^{n-1}\omega}{{entry lost_term}} - \frac{nA\cos^2\omega}{\sin^{n+1}\omega} + \frac{B}{\sin^{n-1}\omega} \\
-  &= \frac{(n-1)A}{\sin^{n-1}\omega}{{entry power}} - \frac{nA}{\sin^{n+1}\omega} + \frac{B}{\sin^{n-1}\omega}.
-     \end{aligned} \tag{2} $$
+  &= -\frac{A}{\sin^{n-1}\omega}{{entry lost_term}} - \frac{nA\cos^2\omega}{\sin^{n+1}\omega} +
+  \frac{B}{\sin^{n-1}\omega} \\ &= \frac{(n-1)A}{\sin^{n-1}\omega}{{entry power}} -
+  \frac{nA}{\sin^{n+1}\omega} + \frac{B}{\sin^{n-1}\omega}. \end{aligned} \tag{2} $$
 
 Each of the two powers must balance by itself, so that
 

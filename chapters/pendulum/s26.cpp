@@ -19,7 +19,8 @@ Then
 $$ \begin{gathered} l\left(1+\sqrt{1-vv}\right) = l\left(2 - \tfrac12vv\right)
    = l2 + l\left(1 - \tfrac14vv\right), \\
    l\left(1 - \tfrac14vv\right) = -\tfrac14vv, \qquad
-   l\left(1+\sqrt{1-vv}\right) = l2{{entry logarithm_of_two}} - \tfrac14vv{{entry quarter}}. \end{gathered} \tag{2} $$
+   l\left(1+\sqrt{1-vv}\right) = l2{{entry logarithm_of_two}}
+   - \tfrac14vv{{entry quarter}}. \end{gathered} \tag{2} $$
 
 With these put in, the expression that must vanish takes the form
 
@@ -91,8 +92,8 @@ The section takes a limit, and its table shows it.
 ## Checks
 
 To conceive $v$ as infinitely small does no harm: the power series, not cut off, say the same. Leave out $C$,
-multiply by $4vv$ and write $l(1+\sqrt{1-vv})$ as $l2 + l\,\frac12(1+\sqrt{1-vv})$. What has the factor $l2$ is
-then $-vv$, which gives the $-\frac14\,l2$ of {{eq 4}}, and the rest is a series in exact fractions,
+multiply by $4vv$ and write $l(1+\sqrt{1-vv})$ as $l2 + l\,\frac12(1+\sqrt{1-vv})$. What has the factor $l2$
+is then $-vv$, which gives the $-\frac14\,l2$ of {{eq 4}}, and the rest is a series in exact fractions,
 
 $$ 1 - \sqrt{1-vv} - (2 + vv)\,l\,\tfrac12\left(1+\sqrt{1-vv}\right). \tag{A} $$
 */
@@ -165,8 +166,8 @@ const Emendation logarithm_of_two{
     [](double constant) { return constant == within(log(1 + sqrt(1 - Fifty(1e-8))), 1e-8, "¼ vv"); }};
 
 /*!
-What the program tells is held against the parts themselves, in closed form: of {{eq 3}} with {{eq 4}} there is
-$\frac1{16}vv$ left, and of the whole expression what the series of {{eq A}} says.
+What the program tells is held against the parts themselves, in closed form: of {{eq 3}} with {{eq 4}} there
+is $\frac1{16}vv$ left, and of the whole expression what the series of {{eq A}} says.
 */
 
 CHECK_THAT("the constant told is that of the integral's closed form, and what is left is a sixteenth of vv")

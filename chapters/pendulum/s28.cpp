@@ -99,6 +99,30 @@ TELL
       c.put(row);
     }
   });
+}
+
+/*!
+{{table sums}}
+
+The fourth column sums to $\frac{41}{64}\,l2 - \frac1{128}$ = {{S2|12}}. That is less than
+$\frac34\,l2$, as he thought; but the fraction that is taken away will not go into β, since $l2$ is
+irrational.
+
+::: figure pendulum-28
+alt: Relative error of the time against the number of columns, for alpha of 2.5, 10, 30 and 45 degrees. Each
+is nearly a straight line on the logarithmic scale, the steeper the smaller the angle; Euler's two columns are
+marked.
+
+What is missing of the time when so many columns are added beside the logarithmic one. Euler stopped at two.
+With all of them his method reaches as far as one likes: even at 45°, the semicircle of {{sec pendulum.11}},
+ten columns gain more than three digits.
+:::
+
+## Speed against error
+*/
+
+TELL
+{
   const double alpha = swing_.eta / 2;
   std::vector<Method> ways;
   for(const int J : {0, 2, 4, 6})
@@ -112,21 +136,6 @@ TELL
 }
 
 /*!
-{{table sums}}
-
-The fourth column sums to $\frac{41}{64}\,l2 - \frac1{128}$ = {{S2|12}}. That is less than
-$\frac34\,l2$, as he thought; but the fraction that is taken away will not go into β, since $l2$ is irrational.
-
-::: figure pendulum-28
-alt: Relative error of the time against the number of columns, for alpha of 2.5, 10, 30 and 45 degrees. Each
-is nearly a straight line on the logarithmic scale, the steeper the smaller the angle; Euler's two columns are
-marked.
-
-What is missing of the time when so many columns are added beside the logarithmic one. Euler stopped at two.
-With all of them his method reaches as far as one likes: even at 45°, the semicircle of {{sec pendulum.11}},
-ten columns gain more than three digits.
-:::
-
 ## Checks
 
 First the conjecture. The sum needs no equation and no new device: the fourth column's terms are so many times

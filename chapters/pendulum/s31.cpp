@@ -11,9 +11,9 @@ using namespace pendulum;
 ## What Euler does
 
 The first member is the series of {{sec pendulum.30}} times the hyperbolic logarithm of
-$\cot\tfrac12\alpha$ {{entry one_logarithm}}. Euler looks up the common logarithm of the cotangent of $1°\,15'$, which is 1,6611437,
-and turns it into a hyperbolic one by the factor 2,30258509. So the first member of {{eq pendulum.29 2}} is a
-product of three factors,
+$\cot\tfrac12\alpha$ {{entry one_logarithm}}. Euler looks up the common logarithm of the cotangent of
+$1°\,15'$, which is 1,6611437, and turns it into a hyperbolic one by the factor 2,30258509. So the first
+member of {{eq pendulum.29 2}} is a product of three factors,
 
 ::: margin
 2,30258509… is $\ln 10$, so that the last two factors are $\ln\cot 1°15'$.
@@ -82,12 +82,12 @@ TELL
 }
 
 /*!
-From the printed factor the table gives {{product_printed|8}}, which rounds to 3.82676. To round to what is
-printed, the factor would have to lie between {{good_from|8}} and {{good_to|8}}, and the true one does. Only if
-every logarithm were cut off at its seventh place, and the product ({{product_cut|8}}) at its fifth, would the
-printed factor lead to the printed product. Euler does cut now and then, as in {{sec pendulum.35}}. So either
-the factor is a slip of pen or press, made twice, for a number near 1.000476, or he worked with the wrong factor and the
-cutting saved him. The paper does not tell.
+From the printed factor the table gives {{product_printed|8}}, which rounds to {{product_printed|6}}. To
+round to what is printed, the factor would have to lie between {{good_from|8}} and {{good_to|8}}, and the
+true one does. Only if every logarithm were cut off at its seventh place, and the product ({{product_cut|8}})
+at its fifth, would the printed factor lead to the printed product. Euler does cut now and then, as in
+{{sec pendulum.35}}. So either the factor is a slip of pen or press, made twice, for a number near
+{{good_from|7}}, or he worked with the wrong factor and the cutting saved him. The paper does not tell.
 
 ::: figure pendulum-31
 alt: The product against the factor, a rising line. A band shows the products that round to 3.82675. The
@@ -139,8 +139,8 @@ const Doubtful one_logarithm{
     }};
 
 /*!
-What is told follows from the product's decimals and two exact factors, and the table's last column from the time
-itself:
+What is told follows from the product's decimals and two exact factors, and the table's last column from the
+time itself:
 */
 
 CHECK_THAT("the factors told give 3,826745 and 3,826755, and the true column is that of the exact time")

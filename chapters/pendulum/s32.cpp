@@ -10,15 +10,16 @@ using namespace pendulum;
 ## What Euler does
 
 For the second member of the time Euler multiplies the hyperbolic logarithm of two by $\cos\alpha$, and for
-the third he multiplies that product by $\tfrac34\sin^2\alpha$ {{entry factor}}. The logarithm is 0,69314718, and $\alpha =
-2°30'$; so the second member of {{eq pendulum.29 2}} comes, by common logarithms, from
+the third he multiplies that product by $\tfrac34\sin^2\alpha$ {{entry factor}}. The logarithm is 0,69314718,
+and $\alpha = 2°30'$; so the second member of {{eq pendulum.29 2}} comes, by common logarithms, from
 
 $$ \begin{aligned} l\,0{,}6931472 &= 9{,}8408253{{entry ln_two}} \\ l\cos\alpha &= 9{,}9995865 \\
    \text{sum} = l\,\text{membr. II} &= 9{,}8404118, \end{aligned} \tag{1} $$
 
 and is 0,69249. From it he has the third,
 
-$$ \begin{aligned} l\,\text{membr. II} &= 9{,}8404118 \\ l\,\tfrac34{{entry its_logarithm}} &= 9{,}8750613 \\ l\sin^2\alpha &= 7{,}2793592 \\
+$$ \begin{aligned} l\,\text{membr. II} &= 9{,}8404118 \\ l\,\tfrac34{{entry its_logarithm}}
+   &= 9{,}8750613 \\ l\sin^2\alpha &= 7{,}2793592 \\
    l\,\text{membr. III} &= 6{,}9948323, \end{aligned} \tag{2} $$
 
 which is 0,00099. Since this is not even one thousandth, the members that follow can safely be left out.

@@ -84,8 +84,8 @@ straight down, it is {{half_way|deg0}} up on the other side.
 
 ::: figure pendulum-33
 alt: The angle of the pendulum against time, from rest at minus 175 degrees. It lingers at first, falls
-through the lowest point, rises and comes to rest at plus 175 degrees after 2.88 seconds, where the swing is
-over. When Euler's time of 4.52 seconds ends it has come down again and is past the lowest point.
+through the lowest point, rises and comes to rest at plus 175 degrees after {{T|3}} seconds, where the
+swing is over. When Euler's time of 4,52 seconds ends it has come down again and is past the lowest point.
 
 A seconds pendulum, let go 5° from the top. Its swing is over after {{T|f2}} s; when Euler's time ends, it has
 come down again and passed the lowest point.
@@ -152,7 +152,8 @@ CHECK_THAT("the series and the motion agree with the arithmetic-geometric mean")
 }
 
 /*!
-What is told at 5°, at a right angle from the top, and nearer to it, by the oracle's time and its exact motion:
+What is told at 5°, at a right angle from the top, and nearer to it, by the oracle's time and its exact
+motion:
 */
 
 CHECK_THAT("the times told are the exact swing's, the members short of it by their own bound")

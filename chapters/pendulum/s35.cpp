@@ -19,7 +19,8 @@ $$ 1{,}00001904 \cdot 2{,}3601799 \cdot 2{,}30258509. \tag{1} $$
 
 By logarithms,
 
-$$ \begin{aligned} l\,1{,}00001904 &= 0{,}0000082 \\ l\,2{,}30258509 &= 0{,}3622157 \\ l\,2{,}3601799 &= 0{,}3729452{{entry third_logarithm}} \\
+$$ \begin{aligned} l\,1{,}00001904 &= 0{,}0000082 \\ l\,2{,}30258509 &= 0{,}3622157 \\ l\,2{,}3601799
+   &= 0{,}3729452{{entry third_logarithm}} \\
    l\,\text{membr. I} &= 0{,}7351691 \\ \text{membr. I} &= 5{,}43461. \end{aligned} \tag{2} $$
 
 Here one can watch him round.

@@ -13,16 +13,19 @@ using namespace pendulum;
 Euler works out the last two members of the second example; then the copy breaks off. The second member is the
 hyperbolic logarithm of two multiplied by $\cos\alpha$,
 
-$$ \begin{aligned} l\,0{,}6931472 &= 9{,}8408253 \\ l\cos\alpha{{entry cosine}} &= 9{,}9999835 \\ l\,\text{membr. II} &= 9{,}8408088 \\
+$$ \begin{aligned} l\,0{,}6931472 &= 9{,}8408253 \\ l\cos\alpha{{entry cosine}} &= 9{,}9999835 \\
+   l\,\text{membr. II} &= 9{,}8408088 \\
    \text{membr. II} &= 0{,}69312, \end{aligned} \tag{1} $$
 
 and multiplied by $\tfrac34\sin^2\alpha$ it gives the third,
 
-$$ \begin{aligned} l\,\text{membr. II} &= 9{,}8408088 \\ l\,\tfrac34 &= 9{,}8750613 \\ l\sin^2\alpha &= 5{,}8816838 \\
+$$ \begin{aligned} l\,\text{membr. II} &= 9{,}8408088 \\ l\,\tfrac34 &= 9{,}8750613 \\
+   l\sin^2\alpha &= 5{,}8816838 \\
    l\,\text{membr. III} &= 5{,}5975539 \\ \text{membr. III} &= 0{,}00004. \end{aligned} \tag{2} $$
 
-After the first word of the next sentence {{entry lost_result}} the copy goes on in the middle of {{sec pendulum.37}}. In between
-Euler must have collected the members, as he does in {{sec pendulum.33}}. Those that he prints add up to
+After the first word of the next sentence {{entry lost_result}} the copy goes on in the middle of
+{{sec pendulum.37}}. In between Euler must have collected the members, as he does in {{sec pendulum.33}}.
+Those that he prints add up to
 
 $$ 5{,}43461 + 0{,}69312 + 0{,}00004 = 6{,}12777, \tag{A} $$
 

@@ -13,14 +13,15 @@ using namespace pendulum;
 
 The nearer the swing comes to the whole circle, the longer it lasts and the less work it is to compute; for
 smaller swings, where the work grows, Euler goes back to the series of the dissertation. When $\alpha$ is so
-great that the terms with $\sin^6\alpha$ {{entry power}} can no longer be neglected, the new method cannot even give the time
-exactly. For the sums of the fourth and later columns would demand all too intricate calculations, and no
-device of analysis has been found that would lighten the labour.
+great that the terms with $\sin^6\alpha$ {{entry power}} can no longer be neglected, the new method cannot
+even give the time exactly. For the sums of the fourth and later columns would demand all too intricate
+calculations, and no device of analysis has been found that would lighten the labour.
 
 In such cases, he says, the series of {{sec pendulum.09}} does the business much more easily. For then $\zeta
 = 180° - \eta$ is such that $c = \sin\tfrac12\zeta = \cos\tfrac12\eta$ falls notably short of 1. So the series
 
-$$ 1 + \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6
+$$ 1 + \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4
+   + \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6
    + \text{etc.} \tag{1} $$
 
 converges fast enough for its sum to be had, exactly enough, by adding up several terms; and this multiplied
@@ -170,8 +171,8 @@ const Undecided power{
     }};
 
 /*!
-What is told is judged by the oracle's time: just below each limit that is told less than half a unit is left out, and
-just above it more; of terms, one fewer is too few.
+What is told is judged by the oracle's time: just below each limit that is told less than half a unit is left
+out, and just above it more; of terms, one fewer is too few.
 */
 
 Fifty beyond_columns(const Fifty& eta, int columns)

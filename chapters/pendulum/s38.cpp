@@ -86,11 +86,12 @@ TELL
 }
 
 /*!
-For a swing that falls short of the top by 1° it takes {{terms_1}} terms of the series to bring what is left out
-below $10^{-16}$ of the time. They are counted, not to be added in doubles: so many roundings would leave more
-than that. Of the columns, beside the logarithmic one, it takes {{columns_1}}; but the logarithmic one needs the sum of
-Euler's series for the small swing of 1°, which is had here from the mean of Gauss. Series and array
-meet at a right angle, with {{terms_90}} terms or {{columns_90}} columns, and on either side one of them needs fewer.
+For a swing that falls short of the top by 1° it takes {{terms_1}} terms of the series to bring what is left
+out below $10^{-16}$ of the time. They are counted, not to be added in doubles: so many roundings would leave
+more than that. Of the columns, beside the logarithmic one, it takes {{columns_1}}; but the logarithmic one
+needs the sum of Euler's series for the small swing of 1°, which is had here from the mean of Gauss. Series
+and array meet at a right angle, with {{terms_90}} terms or {{columns_90}} columns, and on either side one of
+them needs fewer.
 
 ::: figure pendulum-38
 alt: How many terms the series and how many columns the array need for sixteen digits, against the amplitude.
@@ -134,8 +135,8 @@ CHECK_THAT("by terms or by columns, every swing comes out to a few units of the 
 }
 
 /*!
-What is told, near the top and at both ends of the range; and that the numbers of columns and terms do what is said of
-them, and one fewer does not, by the bounds that the program uses, in fifty digits.
+What is told, near the top and at both ends of the range; and that the numbers of columns and terms do what
+is said of them, and one fewer does not, by the bounds that the program uses, in fifty digits.
 */
 
 CHECK_THAT("the times told, and every way of the race, are the oracle's time")

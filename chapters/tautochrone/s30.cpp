@@ -86,8 +86,8 @@ Formula {{eq 5}} serves the next sections too.
 :::
 
 A second route forgets these lines and starts from the equation of {{sec tautochrone.28}}. For $a = 1$ and
-$u = kk + rr$ it is $uu - (1+kk)\,ru\cos\varphi - kk(1+kk)\,\frac{dr}{d\varphi}\sin\varphi = 0$; with $k^{2n}$ the
-unknown coefficient $r_n$ is multiplied by $\cos^3\varphi$, and all else is known.
+$u = kk + rr$ it is $uu - (1+kk)\,ru\cos\varphi - kk(1+kk)\,\frac{dr}{d\varphi}\sin\varphi = 0$; with
+$k^{2n}$ the unknown coefficient $r_n$ is multiplied by $\cos^3\varphi$, and all else is known.
 
 ::: code tautochrone/series.cpp corrections
 :::
@@ -99,8 +99,8 @@ The judge is a curve that satisfies Euler's equation exactly. {{sec tautochrone.
 
 For $k < a$ infinitely many of its solutions pass through $r = a$ at $\varphi = 0$, where it is singular; each
 is a tautochrone up to the place where $dr = 0$ and its cheek would have to turn back. The one that lets the
-pendulum rise highest ends at $\tan\varphi = (a-k)/\sqrt{ak}$; {{api tautochrone::highest}} follows it from there
-backwards, because backwards all errors die.
+pendulum rise highest ends at $\tan\varphi = (a-k)/\sqrt{ak}$; {{api tautochrone::highest}} follows it from
+there backwards, because backwards all errors die.
 */
 
 const auto k = real("k", 0.1, none, from_below(1e-9, 1), "radius of gyration, the length AC being a = 1");
@@ -152,6 +152,34 @@ TELL
   });
 }
 
+/*!
+Where the exact curve has {{exact|8}}, {{eq 5}} gives {{r|8}}. The cycloid's radius is too large by
+{{error_0|e3}}; with $P$ the error is {{error_1|e3}}, with $P$ and $Q$ {{error_2|e3}}. To a clock the
+corrections are worth still more: with swings of 30° it loses {{lost_0|3}} seconds in a day on Huygens's
+cheeks, {{lost_1|2}} with $P$, and {{lost_2|2}} with both.
+
+::: figure tautochrone-30
+alt: The radius of curvature against the angle for a body with k = a/10. The cycloid falls as a cosine.
+Euler's curve with two corrections lies below it and runs to zero at 66 degrees. The exact curve keeps close
+to Euler's to about 45 degrees, falls steeply between 45 and 60, and ends at 71 degrees at 0.30.
+
+The radius of curvature, in units of $a$. To about 45° Euler's formula and the exact curve are one line.
+Beyond, his runs to $r = 0$, where the whole thread would be wound up; the exact curve keeps away from zero,
+and ends at {{end|deg1}}.
+:::
+
+::: figure tautochrone-30-errors
+alt: The error of the series against the angle, on a logarithmic scale, for the cycloid and for 1, 2, 4 and 8
+corrections. At small angles every correction lowers the error by a decade or more. The lines come together
+near 50 degrees and part again in the opposite order.
+
+The error of $r/a$ when the series is kept through $k^{2n}$; the dips are where an approximation crosses the
+exact curve. The more corrections, the better at small angles, and the worse at the end of the curve.
+:::
+
+## Speed against error
+*/
+
 TELL
 {
   std::vector<Method> ways{{"formula (5)", [] { return radius<double>(1, k, phi); }}};
@@ -167,30 +195,6 @@ TELL
 }
 
 /*!
-Where the exact curve has {{exact|8}}, {{eq 5}} gives {{r|8}}. The cycloid's radius is too large by
-{{error_0|e3}}; with $P$ the error is {{error_1|e3}}, with $P$ and $Q$ {{error_2|e3}}. To a clock the
-corrections are worth still more: with swings of 30° it loses {{lost_0|3}} seconds in a day on Huygens's
-cheeks, {{lost_1|2}} with $P$, and {{lost_2|2}} with both.
-
-::: figure tautochrone-30
-alt: The radius of curvature against the angle for a body with k = a/10. The cycloid falls as a cosine.
-Euler's curve with two corrections lies below it and runs to zero at 66 degrees. The exact curve keeps close
-to Euler's to about 45 degrees, falls steeply between 45 and 60, and ends at 71 degrees at 0.30.
-
-The radius of curvature, in units of $a$. To about 45° Euler's formula and the exact curve are one line.
-Beyond, his runs to $r = 0$, where the whole thread would be wound up; the exact curve keeps away from zero, and
-ends at {{end|deg1}}.
-:::
-
-::: figure tautochrone-30-errors
-alt: The error of the series against the angle, on a logarithmic scale, for the cycloid and for 1, 2, 4 and 8
-corrections. At small angles every correction lowers the error by a decade or more. The lines come together
-near 50 degrees and part again in the opposite order.
-
-The error of $r/a$ when the series is kept through $k^{2n}$; the dips are where an approximation crosses the
-exact curve. The more corrections, the better at small angles, and the worse at the end of the curve.
-:::
-
 ## Checks
 
 Euler's algebra is checked exactly, beginning with {{eq 1}} itself.
@@ -280,11 +284,12 @@ const Emendation fourth_power{
 /*!
 ## Notes
 
-Euler says nothing of how near *nearly* is. Today the series would be called asymptotic: it diverges, but for a
-small body on a long thread and no wide swings, his own condition, its terms fall for long before they grow.
+Euler says nothing of how near *nearly* is. Today the series would be called asymptotic: it diverges, but for
+a small body on a long thread and no wide swings, his own condition, its terms fall for long before they
+grow.
 
-$P$ and $Q$ come without integration: since $dr$ is multiplied by $kk$, it enters each order with a coefficient
-already known. So no constant of integration appears, and it stays hidden that the tautochrone is not unique.
-Near the vertical the others differ from Euler's by a multiple of $\varphi$ to the power $aa/kk - 1$, smaller
-than every power of $kk$.
+$P$ and $Q$ come without integration: since $dr$ is multiplied by $kk$, it enters each order with a
+coefficient already known. So no constant of integration appears, and it stays hidden that the tautochrone is
+not unique. Near the vertical the others differ from Euler's by a multiple of $\varphi$ to the power
+$aa/kk - 1$, smaller than every power of $kk$.
 */

@@ -47,7 +47,7 @@ function judged() {
     wrong.push(`${what}: ${(element.outerHTML ?? String(element)).slice(0, 120)}`);
   if (document.documentElement.scrollWidth > window.innerWidth)
     wrong.push(`wider than the window by ${document.documentElement.scrollWidth - window.innerWidth}`);
-  for (const svg of document.querySelectorAll('figure > svg')) {
+  for (const svg of document.querySelectorAll('figure svg')) {
     const box = svg.getBoundingClientRect();
     if (box.width < 100 || box.height < 50 || !svg.querySelector('path'))
       say('a figure without a drawing', svg);
@@ -55,6 +55,22 @@ function judged() {
   }
   for (const image of document.images)
     if (!image.complete || !image.naturalWidth) say('an image that did not load', image);
+  if (innerWidth < 500) {
+    for (const svg of document.querySelectorAll('figure svg'))
+      for (const word of svg.querySelectorAll('text, tspan[font-size]')) {
+        const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+        if (word.textContent.trim() && parseFloat(getComputedStyle(word).fontSize) * scale < 9.99) {
+          say('letters below 10 pixels in a figure', word);
+          break;
+        }
+      }
+    for (const block of document.querySelectorAll('pre.told'))
+      if (block.scrollWidth > block.clientWidth + 1) say('the program’s words are cut', block);
+  }
+  if (getComputedStyle(document.documentElement).visibility !== 'visible') wrong.push('hidden');
+  for (const number of document.querySelectorAll('data.told'))
+    if (!document.getElementById('numbers')?.textContent.includes(`"${number.dataset.name}"`))
+      say('a number without its explanation', number);
   if (document.querySelectorAll('h1').length !== 1) wrong.push('not one h1');
   let level = 1;
   for (const heading of document.querySelectorAll('main :is(h1, h2, h3, h4)')) {
@@ -154,10 +170,10 @@ for (const [from, to] of links) {
   else if (anchor && !ids.get(file)?.has(anchor)) faults.push(`${from}: ${to} has no such anchor`);
 }
 
-/** Opens a page and waits until it shows itself, which it does when its letters are there. */
+/** Opens a page and waits for its letters. */
 async function open(name) {
   await page.goto(address(name));
-  await page.waitForFunction(() => !document.documentElement.hasAttribute('style'));
+  await page.evaluate(() => document.fonts.ready);
 }
 
 // The search, from a page's own field, with old spelling and new.
@@ -174,6 +190,60 @@ const [today, old] = [await ask('curve given'), await ask('curue giuen')];
 if (!today.length || String(today) !== String(old))
   faults.push(`the search takes u for v no more: ${today} against ${old}`);
 if ((await ask('zzyzx')).length) faults.push('the search finds what is not there');
+const mean = await ask('arithmetic-geometric mean');
+const firstOfLibrary = mean.findIndex((to) => /^(namespace|class|struct|concept|.*_8hpp)/.test(to));
+if (!mean.length || (firstOfLibrary >= 0 && mean.slice(firstOfLibrary).some((to) => /-\d\d\.html$/.test(to))))
+  faults.push(`the search puts the library before the sections: ${mean}`);
+const [phrase, words] = [await ask('"rule of the sagitta"'), await ask('rule of the sagitta')];
+if (!phrase.length || phrase.length >= words.length)
+  faults.push(`a phrase finds ${phrase.length} pages, its words ${words.length}`);
+
+// The keys, the explanation of a number, what is copied.
+await open('pendulum-11.html');
+await page.keyboard.press('/');
+if (!(await page.evaluate(() => document.activeElement.matches('.find input'))))
+  faults.push('/ does not lead to the search');
+await page.evaluate(() => document.activeElement.blur());
+for (const [key, rel] of [
+  ['ArrowRight', 'next'],
+  ['ArrowLeft', 'prev'],
+]) {
+  await open('pendulum-11.html');
+  const to = await page.evaluate((r) => document.querySelector(`link[rel=${r}]`).href, rel);
+  await Promise.all([page.waitForURL(to), page.keyboard.press(key)]).catch(() => faults.push(`${key} does not turn the page`));
+}
+await open('pendulum-11.html');
+const explained = () => page.evaluate(() => document.querySelector('.explains:not([hidden])')?.textContent ?? '');
+await page.locator('main data.told').first().click();
+if (!/check/.test(await explained())) faults.push(`a number pressed says "${await explained()}"`);
+await page.keyboard.press('Escape');
+if (await explained()) faults.push('an explanation does not go away');
+await page.locator('main data.told').first().focus();
+await page.keyboard.press('Enter');
+if (!(await explained())) faults.push('a number does not explain itself to the keyboard');
+const taken = await page.evaluate(async () => {
+  let text = '';
+  Object.defineProperty(navigator, 'clipboard', { value: { writeText: async (t) => (text = t) } });
+  document.querySelector('.copyable.told .copy').click();
+  await new Promise((done) => setTimeout(done, 0));
+  return text;
+});
+if (!/^pendulum-11\n/.test(taken) || /^\$|…/.test(taken)) faults.push(`the copy button gives "${taken.slice(0, 40)}"`);
+const copied = await page.evaluate(() => {
+  const paragraph = [...document.querySelectorAll('main p')].find((p) => p.querySelector('.katex'));
+  getSelection().selectAllChildren(paragraph);
+  let text = '';
+  document.addEventListener('copy', (e) => (text = e.clipboardData.getData('text/plain')), { once: true });
+  document.execCommand('copy');
+  return { text, formulae: paragraph.querySelectorAll('.katex').length };
+});
+if ((copied.text.match(/\$[^$]+\$/g) ?? []).length !== copied.formulae || /htmlData/.test(copied.text))
+  faults.push(`a paragraph is copied as "${copied.text}"`);
+let thrown = '';
+page.once('pageerror', (e) => (thrown = e.message));
+await page.goto(`${address('pendulum-11.html')}#100%`);
+await page.reload();
+if (thrown) faults.push(`#100% throws: ${thrown}`);
 
 // By keyboard: the first stop leads to the text. Printed: no controls, and nothing cut.
 await open('index.html');
@@ -186,7 +256,7 @@ for (const name of pages.filter((f) => /^[a-z]+-\d\d\.html$/.test(f))) {
   await page.emulateMedia({ media: 'print' });
   await page.setViewportSize({ width: 640, height: 900 }); // what A4 leaves between its margins
   const cut = await page.evaluate(() =>
-    [...document.querySelectorAll('main pre, main .table, main figure')]
+    [...document.querySelectorAll('main pre, main .table, main figure, main .claims td')]
       .filter((e) => e.offsetWidth && e.scrollWidth > e.clientWidth + 1)
       .map((e) => e.outerHTML.slice(0, 80)),
   );
@@ -194,9 +264,9 @@ for (const name of pages.filter((f) => /^[a-z]+-\d\d\.html$/.test(f))) {
   if (
     await page.evaluate(
       () =>
-        [...document.querySelectorAll('.banner, .contents-tree, .turn, main details:not([open])')].some(
-          (e) => e.offsetHeight && !e.matches('details'),
-        ) || document.querySelector('main details:not([open])'),
+        [...document.querySelectorAll('.banner, .contents-tree, .turn, .plain, button')].some(
+          (e) => e.offsetHeight,
+        ) || document.querySelector('main details:not([open], .plain)'),
     )
   )
     faults.push(`${name} (printed): controls, or something folded`);

@@ -1,5 +1,5 @@
-// The weave refuses what must not reach a reader: each fault in a section stops it with one line that names
-// file and line. Run by ctest; by hand: BOOK_PACKAGES=build/book/npm node --test tests/book/weave.mjs
+// The weave refuses what must not reach a reader: each fault in a section is told in one line that names file and
+// line, and all of them at once. Run by ctest; by hand: BOOK_PACKAGES=build/book/npm node --test tests/book/weave.mjs
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -9,7 +9,8 @@ import { after, before, test } from 'node:test';
 import { asTeX, asText, format } from '../../book/numbers.mjs';
 import { palette } from '../../book/figure.mjs';
 import { blocks, named } from '../../book/section.mjs';
-import { folded } from '../../book/search.mjs';
+import { asked, folded } from '../../book/search.mjs';
+import { readable, texOf } from '../../book/tex.mjs';
 
 const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../..');
 let place;
@@ -24,9 +25,11 @@ SECTION(pendulum, 11, "A section for the test")
 
 /*!
 ## What Euler does
-He finds a half. See {{sec pendulum.12}} and {{eq 1}}.
+He finds a third {{entry slip}}. See {{sec pendulum.12}} and {{eq 1}}.
 
 $$ \\frac{x}{2} = {{half|3}} \\tag{1} $$
+
+$$ x = 1{{entry slip}} \\tag{A} $$
 
 ## The program
 One line.
@@ -37,20 +40,33 @@ double half(double x)  // (1)
   return x / 2;
 }
 
+const auto x = real("x", 1.0, none, scale, "what is halved");
+
 TELL
 {
-  tell("half", half(1), "half of one");
+  tell("half", half(x), "half of one");
 }
 
 /*!
 It is {{half|f2}}.
 
+{{table rows}}
+
 ::: figure pendulum-11
-alt: A line.
+alt: A line at {{half}}.
 
 The caption.
 :::
 
+## Speed against error
+*/
+
+TELL
+{
+  race("half", "½", 0.5, {{"by hand", [] { return 0.5; }}, {"by eye", [] { return 0.4; }}});
+}
+
+/*!
 ## Checks
 */
 
@@ -61,18 +77,61 @@ CHECK_THAT("half of one is a half")
 
 const Erratum slip{
     "§11", {"1/3", 1.0 / 3}, {"1/2", 0.5}, "it is a half", [](double reading) { return reading == 0.5; }};
+
+/*!
+## Go on from here
+
+::: exercise
+What is half of two?
+answer: One.
+:::
+*/
 `;
 const told = {
   chapter: 'pendulum',
   section: 11,
   id: 'pendulum.11',
   title: 'A section for the test',
-  parameters: [],
-  values: [{ name: 'half', value: 0.5, unit: '', meaning: 'half of one' }],
-  tables: [],
+  parameters: [
+    {
+      name: 'x',
+      kind: 'real',
+      unit: '',
+      default: 1,
+      value: 1,
+      range: '1e-100 ≤ x ≤ 1e100',
+      lo: 1e-100,
+      hi: 1e100,
+      lo_open: false,
+      hi_open: false,
+      log: true,
+      meaning: 'what is halved',
+    },
+  ],
+  values: [{ name: 'half', value: 0.5, unit: '', digits: 12, meaning: 'half of one' }],
+  tables: [
+    {
+      name: 'rows',
+      caption: 'Halves',
+      columns: [{ name: 'of', heading: 'of', unit: '', digits: 3 }],
+      rows: [[0.25], [0.125]],
+    },
+  ],
   curves: [{ name: 'line', columns: ['x', 'y'] }],
-  races: [],
-  errata: [{ kind: 'erratum', where: '§11', printed: '1/3', right: '1/2', because: 'it is a half' }],
+  races: [
+    {
+      name: 'half',
+      quantity: '½',
+      exact: '0.5',
+      methods: [
+        { name: 'by hand', value: 0.5, ulps: 0, relative: 0 },
+        { name: 'by eye', value: 0.4, ulps: 9e14, relative: 0.2 },
+      ],
+    },
+  ],
+  errata: [
+    { kind: 'erratum', where: '§11', copy: '1/3', right: '1/2', because: 'it is a half', shown: true },
+  ],
   emendations: [],
   doubtful: [],
   undecided: [],
@@ -83,36 +142,66 @@ const check = {
   cases: [
     {
       name: 'half of one is a half',
-      line: 41,
+      line: 51,
       passed: true,
       claims: [
         {
           expression: 'half(1) == 0.5',
+          line: 53,
           passed: true,
+          times: 3,
+          at: 'x=2',
           got: '0.5',
           expected: '0.5',
           tolerance: 'exactly',
+          used: 0,
           because: '',
         },
       ],
     },
   ],
-  apparatus: [{ kind: 'erratum', where: '§11', printed_holds: false, right_holds: true, passed: true }],
+  covers: { half: [1], 'rows.of': [1], 'half/by hand': [1] },
+  infinite: [],
+  uncovered: [],
+  apparatus: [
+    {
+      kind: 'erratum',
+      where: '§11',
+      copy_holds: false,
+      right_holds: true,
+      third_holds: false,
+      expected: '0.5',
+      tolerance: 'exactly',
+      because: '',
+      passed: true,
+    },
+  ],
 };
+const words = `Pendulum §11. A section for the test
+
+  x  = 1  what is halved
+
+  half  0.5  half of one
+
+Halves
+  of
+  0.25
+  0.125
+`;
 const figure = 'load "figures/style.gp"\nplot tsv("pendulum-11.line") using "x":"y"\n';
 const drawing =
   '<svg\n viewBox="0 0 640 400">\n<g id="gnuplot_canvas">\n<defs>\n</defs>\n' +
   "<path stroke='rgb( 20,  71, 154)' d='M0,0 L1,1'/>\n</g>\n</svg>\n";
 
 /** Weaves a book of one section, after `spoil` has changed some of its files. */
-function weave(spoil = () => {}) {
+function weave(spoil = () => {}, ...options) {
   const source = fs.mkdtempSync(path.join(place, 'source-'));
   const build = fs.mkdtempSync(path.join(place, 'build-'));
   const chapters = ['tautochrone', 'balance', 'pendulum', 'globe'];
   const files = {
     [`${source}/chapters/pendulum/s11.cpp`]: section,
     [`${source}/figures/pendulum-11.gp`]: figure,
-    [`${build}/told/pendulum-11.txt`]: 'It says a half.\n',
+    [`${build}/told/pendulum-11.txt`]: words,
     [`${build}/told/pendulum-11.json`]: JSON.stringify(told),
     [`${build}/told/pendulum-11.check.json`]: JSON.stringify(check),
     [`${build}/told/pendulum-11.line.tsv`]: 'x\ty\n0\t0\n',
@@ -120,6 +209,7 @@ function weave(spoil = () => {}) {
     [`${build}/programs.txt`]: 'pendulum-11\n',
     [`${build}/made-with.json`]: '{"compiler": "none"}',
     [`${source}/book/matter/index.md`]: '# The book\n\nIt opens.\n',
+    [`${source}/CMakeLists.txt`]: 'project(euler-on-oscillation VERSION 1.0.0)\n',
     [`${source}/figures/style.gp`]: fs.readFileSync(path.join(root, 'figures/style.gp'), 'utf8'),
   };
   for (const c of chapters) files[`${source}/chapters/${c}/chapter.md`] = `# ${c}\n\nIt opens.\n`;
@@ -148,7 +238,7 @@ function weave(spoil = () => {}) {
     link(`book/${name}`);
   for (const name of fs.readdirSync(path.join(root, 'book/matter')).filter((f) => f !== 'index.md'))
     link(`book/matter/${name}`);
-  const run = spawnSync(process.execPath, [path.join(root, 'book/weave.mjs'), source, build], {
+  const run = spawnSync(process.execPath, [path.join(root, 'book/weave.mjs'), source, build, ...options], {
     encoding: 'utf8',
   });
   const page = (name = 'pendulum-11') => fs.readFileSync(path.join(build, `dox/${name}.dox`), 'utf8');
@@ -164,12 +254,31 @@ test('a section that is right is woven', () => {
   assert.equal(status, 0);
   const html = page();
   assert.match(html, /\\page pendulum-11 A section for the test/);
-  assert.match(html, /<data value="0.5"[^>]*>0.50<\/data>/);
+  assert.match(html, /<data class="told"[^>]*data-name="pendulum.11.half"[^>]*value="0.5">0.50<\/data>/);
+  assert.match(html, /data-name="pendulum\.11\.half" data-format="3"/); // in the formula
+  assert.match(html, /<desc[^>]*>A line at 0\.5\.<\/desc>/);
   assert.match(html, /id="eq-1"[^]*href="#code-1"/);
+  assert.match(html, /class="equation ours" id="eq-A"/);
+  assert.match(html, /<a class="siglum" id="at-slip" href="#erratum-1"[^>]*>⁕<\/a>/);
+  assert.match(html, /<section class="entry erratum" id="erratum-1">[^]*href="#at-slip"/);
+  assert.doesNotMatch(html, /annotation[^>]*>[^<]*htmlData/); // what is copied is plain TeX
+  assert.match(html, /<tr data-parameter="x">/);
+  assert.match(html, /<tr data-check="1" data-claim="1">[^]*3 times, the nearest to failing: at x=2/);
+  assert.match(html, /"pendulum\.11\.half":\{"value":"0\.5"[^]*"checks":\[\{"n":1,/);
+  assert.match(html, /class="exercise"[^]*<summary>answer<\/summary>/);
   assert.match(html, /✓ holds<\/span> Half of one is a half/);
   assert.match(html, /<span class="kind">erratum<\/span>/);
+  const order = ['what-euler-does', 'the-program', 'what-it-says', 'fig-1', 'speed-against-error', 'checks'];
+  const places = order.map((id) => html.indexOf(`id="${id}"`));
+  assert.deepEqual(places, [...places].sort((a, b) => a - b));
+  assert.ok(places.every((at) => at > 0));
+  // What is typeset is not in the terminal block once more.
+  const block = /<pre class="told"[^]*?<\/pre>/.exec(html)[0];
+  assert.match(block, /half of one/);
+  assert.doesNotMatch(block, /0\.125|what is halved|by hand/);
+  assert.match(block, /the parameters, as above[^]*the table “Halves”, as below/);
   assert.match(html, /stroke="var\(--blue\)"/);
-  assert.match(html, /<title id="pendulum-11-title">A line\.<\/title>/);
+  assert.match(html, /<title id="pendulum-11-title">A line at 0\.5\.<\/title>/);
   assert.match(html, /href="pendulum\.html#s12">§\u00a012<\/a>/);
 });
 
@@ -214,14 +323,73 @@ const faults = {
     /s11\.cpp:LINE: there is no section pendulum\.39/,
     '{{sec',
   ],
+  'a $ without its fellow': [
+    ['s11.cpp', 'One line.', 'One $x line.'],
+    /s11\.cpp:LINE: an odd number of \$/,
+    'One $x',
+  ],
+  'a $ without its fellow, on a later line of a paragraph': [
+    ['s11.cpp', 'One line.', 'One\nline and $x.'],
+    /s11\.cpp:LINE: an odd number of \$/,
+    'line and',
+  ],
+  'HTML in prose': [
+    ['s11.cpp', 'One line.', 'One <b>line</b>.'],
+    /s11\.cpp:LINE: HTML in prose: <b>/,
+    'One <b>',
+  ],
+  'degrees of what is no angle': [
+    ['s11.cpp', '{{half|f2}}', '{{half|deg1}}'],
+    /s11\.cpp:LINE: \{\{half\|deg1\}\}: the format is for angles/,
+    '{{half|deg1',
+  ],
+  'a number given twice': [
+    ['s11.cpp', '\\tag{A}', '\\tag{1}'],
+    /s11\.cpp:LINE: a second formula \(1\)/,
+    '$$ x = 1',
+  ],
+  'a formula that is neither his nor ours': [
+    ['s11.cpp', '\\tag{A}', '\\tag{x}'],
+    /s11\.cpp:LINE: \\tag\{x\}: Euler's formulae have numbers/,
+    '$$ x = 1',
+  ],
+  'a number typed by hand': [
+    ['s11.cpp', 'It is {{half|f2}}.', 'It is 0.500.'],
+    /s11\.cpp:LINE: 0\.500 is typed by hand; the program tells it: \{\{half\}\}/,
+    'It is 0.500',
+  ],
+  'a line over the limit': [
+    ['s11.cpp', 'One line.', `One line${' and more'.repeat(13)}.`],
+    /s11\.cpp:LINE: a line of 126 characters; 110 is the limit/,
+    'One line and',
+  ],
+  'a bar that ends a cell': [
+    ['s11.cpp', 'One line.', '| a | b |\n| --- | --- |\n| $|x|$ | b |'],
+    /s11\.cpp:LINE: a table row with more or fewer cells/,
+    '| $|x|',
+  ],
+  'a piece of the library that is not marked': [
+    ['s11.cpp', 'One line.', '::: code pendulum/series.hpp nothing\n:::'],
+    /s11\.cpp:LINE: src\/pendulum\/series\.hpp has not two lines \/\/ \[nothing\]/,
+    '::: code',
+  ],
+  'a sign for no entry': [
+    ['s11.cpp', 'a third {{entry slip}}', 'a third {{entry slip}} {{entry slap}}'],
+    /s11\.cpp:LINE: no entry of the apparatus is called slap/,
+    'a third',
+  ],
+  'a race under another heading': [
+    ['s11.cpp', '/*!\n## Checks\n*/', '/*!\n## Checks\n*/\n\nTELL\n{\n  race("half");\n}'],
+    /s11\.cpp:\d+: a race stands under the heading "Speed against error"/,
+  ],
   'code that names no formula': [
     ['s11.cpp', '// (1)', '// (2)'],
     /s11\.cpp:1: a comment in the code names the formula \(2\)/,
   ],
   'headings out of order': [
     ['s11.cpp', '## The program', '## Checks'],
-    /s11\.cpp:LINE: the heading "Checks" stands where "The program" is due/,
-    '## Checks',
+    /s11\.cpp:LINE: the heading "Checks" stands after "Checks"/,
+    '## Checks\n*/',
   ],
   'a heading left out': [['s11.cpp', '## Checks\n', '\n'], /s11\.cpp:1: the heading "Checks" is missing/],
   'an unknown division': [
@@ -230,7 +398,7 @@ const faults = {
     '::: picture',
   ],
   'a figure without words': [
-    ['s11.cpp', 'alt: A line.\n\n', ''],
+    ['s11.cpp', 'alt: A line at {{half}}.\n\n', ''],
     /s11\.cpp:LINE: ::: figure pendulum-11 needs "alt/,
     '::: figure',
   ],
@@ -256,7 +424,7 @@ const faults = {
   'a section that says nothing': [['s11.cpp', 'TELL\n', 'void f()\n'], /s11\.cpp:1: no TELL block/],
   'a colour outside the palette': [
     ['pendulum-11.svg', '20,  71, 154', '20,  71, 155'],
-    /figures\/pendulum-11\.gp: the colour rgb\( 20,  71, 155\)/,
+    /figures\/pendulum-11\.gp: the colour rgb\( 20, 71, 155\)/,
   ],
   'data that no program writes': [
     ['pendulum-11.gp', 'pendulum-11.line', 'pendulum-11.curve'],
@@ -277,7 +445,7 @@ for (const [name, [spoilt, message, piece]] of Object.entries(faults))
         )
       : 0;
     assert.match(stderr, new RegExp(message.source.replace('LINE', line)));
-    assert.equal(stderr.trim().split('\n').length, 1, stderr);
+    for (const told of stderr.trim().split('\n')) assert.match(told, /^[\w./-]+:\d+: \S/);
     assert.equal(status, 1);
   });
 
@@ -289,7 +457,7 @@ test('refused: an orphan figure script', () => {
 });
 test('refused: no figure and no reason for none; a reason is enough', () => {
   const without = (instead) => (files) => {
-    files.replace('s11.cpp', '::: figure pendulum-11\nalt: A line.\n\nThe caption.\n:::', instead);
+    files.replace('s11.cpp', '::: figure pendulum-11\nalt: A line at {{half}}.\n\nThe caption.\n:::', instead);
     files.remove('pendulum-11.gp');
   };
   assert.match(
@@ -303,7 +471,7 @@ test('a page that is no section may show a section its figure, without a number'
     files.replace('index.md', 'It opens.', '::: figure pendulum-11\nalt: A line.\n\nIt stands in front.\n:::'),
   );
   assert.equal(status, 0);
-  assert.match(page('index'), /<figure>\n<svg [^]*<figcaption>It stands in front\./);
+  assert.match(page('index'), /<figure data-figure="pendulum-11">\n<div[^]*<figcaption>It stands in front\./);
 });
 test('refused: a program without a page, a page without a program', () => {
   assert.match(
@@ -321,9 +489,70 @@ test('refused: a program that has told nothing', () => {
     /^chapters\/pendulum\/s11\.cpp:1: the program pendulum-11 has told nothing/,
   );
 });
+test('all faults of a weave are told at once, in the order of the file', () => {
+  const { status, stderr } = weave((files) => {
+    files.replace('s11.cpp', '{{half|f2}}', '{{third}}');
+    files.replace('s11.cpp', 'One line.', 'One $x line, and <i>HTML</i>.');
+    files.replace('s11.cpp', '{{sec pendulum.12}}', '{{sec pendulum.39}}');
+    files.replace('index.md', 'It opens.', 'It opens {{nothing}}.');
+  });
+  assert.equal(status, 1);
+  const lines = stderr.trim().split('\n');
+  assert.equal(lines.length, 5, stderr);
+  assert.match(lines[0], /^book\/matter\/index\.md:3: /);
+  const numbers = lines.slice(1).map((l) => Number(l.split(':')[1]));
+  assert.deepEqual(numbers, [...numbers].sort((a, b) => a - b));
+});
+test('one page alone is woven with all its faults, and no one else’s', () => {
+  const alone = ['--only', 'pendulum-11'];
+  const { status, stdout, page } = weave(
+    (files) => files.replace('index.md', 'It opens.', 'It opens {{nothing}}.'),
+    ...alone,
+  );
+  assert.equal(status, 0);
+  assert.match(stdout, /woven: 1 page/);
+  assert.match(page(), /A section for the test/);
+  const spoilt = weave((files) => files.replace('s11.cpp', '{{half|f2}}', '{{third}} and {{fourth}}'), ...alone);
+  assert.equal(spoilt.status, 1);
+  assert.equal(spoilt.stderr.trim().split('\n').length, 2);
+});
+test('a chapter has its map, its notation and its words', () => {
+  const map = '# What needs what\n\n::: map\n11 <- 7 8\n:::\n\n::: route\n11: Because.\n:::\n';
+  const notation = (where) =>
+    `| Euler | today | in the code | meaning | first |\n| --- | --- | --- | --- | --- |\n| $a$ | | | a letter | ${where} |\n`;
+  const add = (files, wrong) => {
+    files.add('chapters/pendulum/map.md', wrong ? map.replace('7 8', '7 39') : map);
+    files.add('chapters/pendulum/notation.md', notation(wrong ? '' : '{{sec pendulum.11}}'));
+    files.add('chapters/pendulum/glossary.md', wrong ? 'sagitta\nan arrow\n' : 'sagitta\n: An arrow.\n');
+  };
+  const { status, stderr, page } = weave((files) => add(files, false));
+  assert.equal(stderr, '');
+  assert.equal(status, 0);
+  assert.match(page('pendulum-map'), /<div class="needs"><svg[^]*<path[^]*needs §\u00a07, §\u00a08/);
+  assert.match(page('pendulum-map'), /<ol class="route">[^]*pendulum-11\.html[^]*Because/);
+  assert.match(page('notation'), /<a href="pendulum-11\.html">§\u00a011<\/a>/);
+  assert.match(page('glossary'), /<dt id="term-sagitta">sagitta<\/dt>/);
+  const wrong = weave((files) => add(files, true)).stderr;
+  assert.match(wrong, /pendulum\/map\.md:4: there is no § 39/);
+  assert.match(wrong, /pendulum\/notation\.md:3: the row does not say where/);
+  assert.match(wrong, /pendulum\/glossary\.md:1: an entry is a line with the term/);
+});
+test('readings become formulae where they are ones, and readable again where they are searched', () => {
+  assert.equal(texOf('dz/(1 − zz)'), 'dz/(1-zz)');
+  assert.equal(texOf('1,1805'), '1{,}1805');
+  assert.equal(texOf('√(cc − zz)'), '\\sqrt{cc-zz}');
+  assert.equal(texOf('sin²α'), '\\sin ^{2}α');
+  assert.equal(texOf('the longer (maius)'), null);
+  assert.equal(texOf('15½ and 31'), null);
+  assert.equal(readable('\\frac{t\\sqrt{2g}}{\\sqrt b} = \\tfrac12\\ln 2^{-3}'), '(t√(2g))/(√b) = ½ln 2⁻³');
+});
+test('a phrase in quotation marks is looked up as a phrase', () => {
+  assert.deepEqual(asked('the "Rule of the" sagitta').phrases, [' rule of the ']);
+  assert.equal(asked('rule').phrases.length, 0);
+});
 test('a check that fails is shown as failing', () => {
   const { page } = weave((files) =>
-    files.replace('check.json', '"line":41,"passed":true', '"line":41,"passed":false'),
+    files.replace('check.json', '"line":51,"passed":true', '"line":51,"passed":false'),
   );
   assert.match(page(), /✗ fails<\/span> Half of one is a half/);
 });
@@ -381,7 +610,16 @@ test('the sign of a told angle or percentage stands once', () => {
 
 test("a section's file comes apart at its seams", () => {
   const kinds = blocks(section, 's11.cpp').map((b) => b.kind);
-  assert.deepEqual(kinds, ['prose', 'code', 'TELL', 'prose', 'check', 'Erratum']);
+  assert.deepEqual(
+    kinds,
+    'prose prose code TELL prose prose TELL prose check Erratum prose'.split(' '), // prose is parted at its headings
+  );
+  const parts = blocks(section, 's11.cpp').filter((b) => b.kind === 'prose');
+  assert.deepEqual(
+    parts.map((b) => section.split('\n')[b.line - 1].replace('## ', '')),
+    ['What Euler does', 'The program', '/*!', 'Speed against error', 'Checks', 'Go on from here'],
+  );
+  assert.equal(blocks(section, 's11.cpp').find((b) => b.kind === 'Erratum').object, 'slip');
   assert.deepEqual(named('f();  // (3), (4)\n// (5) and (6)\ng(1);  // see (7)'), ['3', '4', '5', '6']);
   const [, piece] = blocks(
     '/*! x */\nCHECK_THAT("a brace } in a text, "\n           "and a \\"second\\" line")\n' +

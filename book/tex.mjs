@@ -1,0 +1,129 @@
+// The readings of the apparatus are plain words, for a terminal. Where such words are a formula, they are set as one:
+// here they become TeX.
+
+const functions = { sin: '\\sin', cos: '\\cos', tan: '\\tan', cot: '\\cot', log: '\\log', ln: '\\ln', tg: '\\operatorname{tg}' };
+const signs = {
+  '−': '-', '·': '\\cdot ', '×': '\\times ', '±': '\\pm ', '≈': '\\approx ', '≤': '\\le ', '≥': '\\ge ', '…': '\\dots ',
+  '∫': '\\int ', '∞': '\\infty ', '′': "'", '°': '^\\circ ', '+': '+', '=': '=', '<': '<', '>': '>', '(': '(', ')': ')',
+  '[': '[', ']': ']', '/': '/', ',': ',\\; ', ';': ';\\; ',
+}; // prettier-ignore
+const fractions = { '½': '\\tfrac12 ', '⅓': '\\tfrac13 ', '⅔': '\\tfrac23 ', '¼': '\\tfrac14 ', '¾': '\\tfrac34 ', '⅛': '\\tfrac18 ', '⅜': '\\tfrac38 ', '⅝': '\\tfrac58 ', '⅞': '\\tfrac78 ' };
+const raised = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+const lowered = '₀₁₂₃₄₅₆₇₈₉';
+const english =
+  /^(an|as|at|be|by|he|if|in|is|it|no|of|on|or|so|to|up|we|all|and|but|for|its|not|one|out|the|too|two|\p{L}{5,}|[a-z]{4})$/u;
+
+const small = (text, digits, minus, plus) =>
+  [...text].map((c) => (c === minus ? '-' : c === plus ? '+' : c === 'ⁿ' ? 'n' : digits.indexOf(c))).join('');
+
+const tokens =
+  /(?<space>\s+)|(?<number>\d+(?:[,.]\d+)?)|(?<up>[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ]+)|(?<down>[₀₁₂₃₄₅₆₇₈₉]+)|(?<word>[A-Za-z]{2,})|(?<letter>\p{L})|(?<root>√)|(?<sign>.)/uy;
+
+/** TeX for words that are a formula; null for words that are words. */
+export function texOf(text) {
+  let out = '';
+  tokens.lastIndex = 0;
+  const roots = []; // depths of parentheses at which a root ends
+  let depth = 0;
+  let pending = false; // a root waits for what it covers
+  for (let match = tokens.exec(text); match; match = tokens.exec(text)) {
+    const { space, number, up, down, word, letter, root, sign } = match.groups;
+    const covered = (tex) => {
+      out += pending ? `{${tex}}` : tex;
+      pending = false;
+    };
+    if (space) continue;
+    if (number) covered(number.replace(/[,.]/, (c) => `{${c}}`));
+    else if (up) out += `^{${small(up, raised, '⁻', '⁺')}}`;
+    else if (down) out += `_{${small(down, lowered)}}`;
+    else if (word === 'etc') {
+      out += '\\text{etc.}';
+      if (text[tokens.lastIndex] === '.') tokens.lastIndex += 1;
+    } else if (word && functions[word]) out += `${functions[word]} `;
+    else if (word) {
+      if (english.test(word)) return null;
+      covered(word);
+    } else if (letter === 'l') covered('l\\,');
+    else if (letter) covered(letter);
+    else if (root) {
+      out += '\\sqrt';
+      pending = true;
+    } else if (fractions[sign]) covered(fractions[sign]);
+    else if (pending && sign === '(') {
+      out += '{';
+      roots.push(depth);
+      depth += 1;
+      pending = false;
+    } else if (signs[sign] === undefined) return null;
+    else {
+      if (sign === '(') depth += 1;
+      if (sign === ')') depth -= 1;
+      if (sign === ')' && roots.at(-1) === depth) {
+        roots.pop();
+        out += '}';
+      } else out += signs[sign];
+    }
+  }
+  return pending || roots.length ? null : out;
+}
+
+const greek = 'alpha α beta β gamma γ delta δ epsilon ε varepsilon ε zeta ζ eta η theta θ vartheta ϑ iota ι kappa κ lambda λ mu μ nu ν xi ξ pi π rho ρ sigma σ tau τ upsilon υ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ Omega Ω'; // prettier-ignore
+const names = new Map(
+  (
+    `${greek} cdot · times × pm ± mp ∓ le ≤ leq ≤ ge ≥ geq ≥ ne ≠ neq ≠ approx ≈ infty ∞ int ∫ sum ∑ prod ∏ partial ∂ ` +
+    `to → quad  qquad  circ ° dots … ldots … cdots ⋯ prime ′ dagger † ddagger ‡ diamond ◇ ast ∗ sqrt √ angle ∠ equiv ≡ ` +
+    `lfloor ⌊ rfloor ⌋ sim ~ ll ≪ gg ≫ in ∈ ell ℓ mathfrak  text  mathrm  operatorname  left  right  big  Big  bigl  bigr ` +
+    `Bigl  Bigr  displaystyle  textstyle  begin  end  tfrac  dfrac  frac `
+  ).match(/\S+ \S*/g).map((pair) => pair.split(' ')),
+); // prettier-ignore
+const oneOver = Object.fromEntries(Object.entries(fractions).map(([c, tex]) => [tex.slice(6, 8), c]));
+
+/** TeX as a line that can be read, for searches and for descriptions. */
+export function readable(tex) {
+  return tex
+    .replace(/\\(?:begin|end)\{\w+\}(?:\{[^}]*\})?|\\tag\{[^}]*\}|&/g, ' ')
+    .replace(/\\[td]?frac *(\d)(\d)/g, (all, a, b) => oneOver[a + b] ?? ` ${a}/${b}`)
+    .replace(/\\sqrt *\{([^{}]*)\}/g, '√($1)')
+    .replace(/\\[td]?frac *\{([^{}]*)\}\{([^{}]*)\}/g, '($1)/($2)')
+    .replace(/\^\{?\\circ\}?/g, '°')
+    .replace(/\^(?:\{(-?\d+)\}|(\d))/g, (_, a, b) => [...(a ?? b)].map((c) => (c === '-' ? '⁻' : raised[c])).join(''))
+    .replace(/_(?:\{(\d+)\}|(\d))/g, (_, a, b) => [...(a ?? b)].map((c) => lowered[c]).join(''))
+    .replace(/\\\\|\\[,;:! ]/g, ' ')
+    .replace(/\\([A-Za-z]+)\s*/g, (_, name) => names.get(name) ?? `${name} `)
+    .replace(/[{}]/g, '')
+    .replace(/\((\w+)\)\/\((\w+)\)/g, '$1/$2')
+    .replace(/-/g, '−')
+    .replace(/\s+/g, ' ')
+    .trim();
+}
+
+/** HTML with every formula replaced by `what(its TeX)`. */
+export function withoutFormulas(html, what) {
+  let out = '';
+  let from = 0;
+  for (let at = html.indexOf('<span class="katex">'); at >= 0; at = html.indexOf('<span class="katex">', from)) {
+    out += html.slice(from, at);
+    const tags = /<(\/?)span\b/g;
+    tags.lastIndex = at;
+    let depth = 0;
+    let tag;
+    do {
+      tag = tags.exec(html);
+      depth += tag[1] ? -1 : 1;
+    } while (depth);
+    from = tags.lastIndex + 1;
+    out += what(/<annotation[^>]*>([^]*?)<\/annotation>/.exec(html.slice(at, from))?.[1] ?? '');
+  }
+  return out + html.slice(from);
+}
+
+/** HTML of a line as bare words. */
+export const bareWords = (html) =>
+  withoutFormulas(html, (tex) => readable(unescape(tex)))
+    .replace(/<[^>]+>/g, '')
+    .replace(/&(lt|gt|quot|amp);/g, (_, name) => ({ lt: '<', gt: '>', quot: '"', amp: '&' })[name])
+    .replace(/\s+/g, ' ')
+    .trim();
+
+const unescape = (text) =>
+  text.replace(/&(lt|gt|quot|amp);/g, (_, name) => ({ lt: '<', gt: '>', quot: '"', amp: '&' })[name]);
