@@ -13,13 +13,13 @@ at once in the logarithm, as {{sec pendulum.17}} has already found:
 
 $$ \int_\alpha\frac{d\omega}{\sin^3\omega} = \frac{\cos\alpha}{2\sin^2\alpha} -
      \frac{\cos\omega}{2\sin^2\omega}
-   + \frac12\,l\,\frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}. \tag{1} $$
+   + \frac12\,l{{entry logarithm}}\,\frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}. \tag{1} $$
 
 Each further integral stands on the one before. The third term of the series in {{sec pendulum.17}} needs
 $n = 4$, the fourth $n = 6$, the fifth $n = 8$, and with $n = 10$ he writes one more:
 
 $$ \begin{aligned}
-   \int_\alpha\frac{d\omega}{\sin^5\omega} &= \frac{\cos\alpha}{4\sin^4\alpha}
+   \int_\alpha\frac{d\omega}{\sin^5\omega}{{entry powers}} &= \frac{\cos\alpha}{4\sin^4\alpha}{{entry denominators}}
      - \frac{\cos\omega}{4\sin^4\omega} + \frac34\int_\alpha\frac{d\omega}{\sin^3\omega}, \\
    \int_\alpha\frac{d\omega}{\sin^7\omega} &= \frac{\cos\alpha}{6\sin^6\alpha}
      - \frac{\cos\omega}{6\sin^6\omega} + \frac56\int_\alpha\frac{d\omega}{\sin^5\omega}, \\
@@ -131,7 +131,7 @@ CHECK_THAT("the higher the power, the more of the integral is complete at ω = 2
 }
 
 /*!
-In the scan not one of the five lines is whole: under $d\omega$ all powers are one too low, under the cosines
+In our copy none of the five lines is whole: under $d\omega$ all powers are one too low, under the cosines
 every power is a square, and the logarithm has become an integral of tangents. The damage is the same in all
 lines of {{eq 2}}; it is tried here in the first of them, from 30° to 75°, and in {{eq 1}}.
 */
@@ -173,3 +173,50 @@ const Emendation logarithm{
     {"½ l (tg ½ω/tg ½α)", [] { return rung(2, 30_deg, 75_deg, ladder(30_deg, 75_deg)[1]); }},
     "§17 has found it",
     [](double right) { return is_integral(right, 3); }};
+
+/*!
+What is told, by quadrature of each power:
+*/
+
+CHECK_THAT("the rungs told are the ends, the rung below and the integral")
+{
+  for(const Told& now : told_at("", "alpha=1e-9rad omega=90", "alpha=60 omega=60.5"))
+  {
+    const Fifty a = alpha.fifty(), o = omega.fifty();
+    const auto at = [&](int power) {
+      const auto f = [&](const Fifty& y) { return pow(sin(a) / sin(a + y), power); };
+      return exact::integrate(f, 0, o - a).value / pow(sin(a), power);
+    };
+    const double near = 4e-16 / static_cast<double>((o - a) / o);
+    const Fifty log_of = log(tan(o / 2)) - log(tan(a / 2));
+    CHECK(now.value("logarithm")
+          == within_relative(log_of, near + 1e-15, "angles that round, near to each other"));
+    for(const auto& row : now.rows("rungs"))
+    {
+      const int n = static_cast<int>(row.at("n"));
+      CHECK(row.value("start")
+            == within_relative(cos(a) / (n * pow(sin(a), n)), 4e-15, "a rounded angle, n times"));
+      const Fifty end = -cos(o) / (n * pow(sin(o), n));
+      CHECK(row.value("end")
+            == within(end, 4e-15 * std::abs(static_cast<double>(end)) + 1e-16, "the same; cos 90°"));
+      CHECK(row.value("below")
+            == within_relative(at(n - 1) * (n - 1) / n, 20 * near + 4e-15, "the rung below"));
+      CHECK(row.value("integral")
+            == within_relative(at(n + 1), 20 * near + 4e-15, "ends that nearly cancel"));
+    }
+  }
+}
+
+CHECK_THAT("the figure has the part of each integral that is complete")
+{
+  const Fifty start = exact::pi() / 72;
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("complete", 4))
+      for(const int power : {1, 3, 5, 7, 9, 11})
+      {
+        const Fifty here = quadrature(power, start, point.at("x") * start),
+                    whole = quadrature(power, start, exact::pi() / 2);
+        const std::string column = "p" + std::to_string(power);
+        CHECK(point.value(column.c_str()) == within(here / whole, 1e-13, "rungs, and a rounded place"));
+      }
+}

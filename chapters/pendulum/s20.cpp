@@ -13,23 +13,23 @@ For the *whole* descent, which is his chief concern, the integrals become simple
 cosine vanishes, and of every pair of ends in {{sec pendulum.19}} only the one at α remains. With each
 integral put into the next they are
 
-$$ \int_\alpha^{90°}\frac{d\omega}{\sin\omega} = l\cot\tfrac12\alpha, \tag{1} $$
+$$ \int_\alpha^{90°}\frac{d\omega}{\sin\omega} = l{{entry logarithm}}\cot\tfrac12\alpha, \tag{1} $$
 
 $$ \int_\alpha^{90°}\frac{d\omega}{\sin^3\omega} = \frac{\cos\alpha}{2\sin^2\alpha} +
      \frac12\,l\cot\tfrac12\alpha, \tag{2} $$
 
 $$ \int_\alpha^{90°}\frac{d\omega}{\sin^5\omega} = \frac{\cos\alpha}{4\sin^4\alpha} +
      \frac{3\cos\alpha}{2\cdot4\sin^2\alpha}
-   + \frac{1\cdot3}{2\cdot4}\,l\cot\tfrac12\alpha, \tag{3} $$
+   + \frac{1\cdot3}{2\cdot4}\,l\cot\tfrac12\alpha{{entry fifth}}, \tag{3} $$
 
 $$ \begin{aligned} \int_\alpha^{90°}\frac{d\omega}{\sin^7\omega} = \frac{\cos\alpha}{6\sin^6\alpha}
    &+ \frac{5\cos\alpha}{4\cdot6\sin^4\alpha} + \frac{3\cdot5\cos\alpha}{2\cdot4\cdot6\sin^2\alpha} \\
-   &+ \frac{1\cdot3\cdot5}{2\cdot4\cdot6}\,l\cot\tfrac12\alpha, \end{aligned} \tag{4} $$
+   &+ \frac{1\cdot3\cdot5}{2\cdot4\cdot6}\,l\cot\tfrac12\alpha{{entry seventh}}, \end{aligned} \tag{4} $$
 
 $$ \begin{aligned} \int_\alpha^{90°}\frac{d\omega}{\sin^9\omega} = \frac{\cos\alpha}{8\sin^8\alpha}
    &+ \frac{7\cos\alpha}{6\cdot8\sin^6\alpha} + \frac{5\cdot7\cos\alpha}{4\cdot6\cdot8\sin^4\alpha} \\
    &+ \frac{3\cdot5\cdot7\cos\alpha}{2\cdot4\cdot6\cdot8\sin^2\alpha} \\
-   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}\,l\cot\tfrac12\alpha, \qquad\text{etc.}
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}\,l\cot\tfrac12\alpha{{entry ninth}}, \qquad\text{etc.}
    \end{aligned} \tag{5} $$
 
 ## The program
@@ -43,14 +43,14 @@ The law is easily read off. With $a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots
 
 $$ \int_\alpha^{90°}\frac{d\omega}{\sin^{2m+1}\omega} =
      \cos\alpha\sum_{i=1}^{m}\frac{a_m}{a_i}\cdot\frac{1}{2i\,\sin^{2i}\alpha}
-   + a_m\,l\cot\tfrac12\alpha. \tag{6} $$
+   + a_m\,l\cot\tfrac12\alpha. \tag{A} $$
 
 Multiplied by $\sin^{2m}\alpha$ the pieces do not overflow, and since all are positive they can safely be
 added up.
 */
 
 template <class Real>
-Real written_out(int m, Real alpha)  // (6), times sin²ᵐα
+Real written_out(int m, Real alpha)  // (A), times sin²ᵐα
 {
   using std::cos, std::sin;
   const Real x = sin(alpha) * sin(alpha);
@@ -70,7 +70,7 @@ const auto m = integer("m", 4, 0, 500, "the power of the sine is 2m + 1");
 TELL
 {
   tell("scaled", written_out<double>(m, alpha), "the integral over the whole descent, times sin²ᵐα");
-  tell("integral", written_out(m, Fifty(alpha)) / pow(sin(Fifty(alpha)), 2 * m), "the integral itself");
+  tell("integral", written_out(m, alpha.fifty()) / pow(sin(alpha.fifty()), 2 * m), "the integral itself");
 }
 
 TELL
@@ -116,7 +116,7 @@ CHECK_THAT("the closed forms are the integrals, from α = 1° to 89°")
             == within_relative(quadrature(2 * row + 1, Fifty(from)), 1e-46, "fifty digits; 89° costs two"));
 }
 
-Rational coefficient(int m, int i)  // of cos α/sin²ⁱα in (6)
+Rational coefficient(int m, int i)  // of cos α/sin²ⁱα in (A)
 {
   return double_factorial_ratio(m) / (2 * i * double_factorial_ratio(i));
 }
@@ -144,7 +144,7 @@ CHECK_THAT("near 90° every integral is nearly 90° − α")
 }
 
 /*!
-The scan again. The logarithm has become an integral; in the third line, and worse in the fourth and fifth,
+Our copy again: the logarithm has become an integral; in the third line, and worse in the fourth and fifth,
 powers of the sine, factors above and factors below are lost. Each reading is worked out at $\alpha = 30°$ and
 held against the quadrature, the logarithm being mended first.
 */
@@ -194,3 +194,45 @@ const Emendation ninth{
      over(8) / 8 + 7 * over(6) / 48 + 35 * over(4) / 192 + 105 * over(2) / 384 + 105 * L / 384},
     "§19, n = 8, with (4) put into it",
     [](double reading) { return is_integral(reading, 9); }};
+
+/*!
+What is told, by quadrature:
+*/
+
+CHECK_THAT("the integral told is that of quadrature, at 30°, near the top, at a high power and near 90°")
+{
+  for(const Told& now : told_at("", "alpha=1e-9rad m=3", "alpha=89.9 m=500", "alpha=45 m=0"))
+  {
+    const Fifty truth = quadrature(2 * m + 1, alpha.fifty());
+    CHECK(now.value("scaled")
+          == within_relative(truth, 1e-12, "near 90° the double of α has lost three digits"));
+    const Fifty whole = truth / pow(sin(alpha.fifty()), 2 * m);
+    CHECK(now.value("integral") == within_relative(whole, 1e-40, "quadrature of fifty digits"));
+  }
+  for(const Told& now : told_at("", "alpha=1 m=40", "alpha=1e-6 m=2"))
+    CHECK(now.value("scaled")
+          == within_relative(quadrature(2 * m + 1, alpha.fifty()), 1e-15,
+                             "far from 90° few roundings count"));
+}
+
+CHECK_THAT("the five shares of the figure are those of the printed pieces, and make one")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("shares", 6))
+    {
+      const Fifty a = Fifty(point.at("alpha")) * exact::pi() / 180, s = sin(a),
+                  whole = quadrature(9, a) / pow(s, 8);
+      CHECK(point.value("s8")
+            == within_relative(cos(a) / (8 * pow(s, 8)) / whole, 2e-14, "a rounded angle"));
+      CHECK(point.value("s6")
+            == within_relative(7 * cos(a) / (48 * pow(s, 6)) / whole, 2e-14, "a rounded angle"));
+      CHECK(point.value("s4")
+            == within_relative(35 * cos(a) / (192 * pow(s, 4)) / whole, 2e-14, "a rounded angle"));
+      CHECK(point.value("s2")
+            == within_relative(105 * cos(a) / (384 * s * s) / whole, 2e-14, "a rounded angle"));
+      CHECK(point.value("l")
+            == within_relative(-105 * log(tan(a / 2)) / 384 / whole, 2e-14, "a rounded angle"));
+      CHECK(point.at("s8") + point.at("s6") + point.at("s4") + point.at("s2") + point.at("l")
+            == within(1, 2e-14, "five rounded shares"));
+    }
+}
