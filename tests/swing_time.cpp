@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -387,6 +388,69 @@ TEST_CASE("the time to an angle: ends and out of range")
         <= 4);
   CHECK(exact::ulps(swing::time_from_rest_past(1e-13, 1e-3), oracle::time_from_rest_past(1e-13, 1e-3))
         <= 4);
+}
+
+TEST_CASE("at the ends of the doubles: the mean, and the times of the smallest swings")
+{
+  constexpr double largest = std::numeric_limits<double>::max();
+  for(const auto& [a, b] : {std::pair{smallest, 2 * smallest},
+                            {3 * smallest, 4 * smallest},
+                            {7 * smallest, 8 * smallest},
+                            {largest, largest},
+                            {1e308, 0.9e308},
+                            {smallest, largest},
+                            {largest, smallest},
+                            {1e-310, 1e-300},
+                            {smallest, 1.0},
+                            {1.0, smallest}})
+  {
+    CAPTURE(a);
+    CAPTURE(b);
+    // Of subnormal numbers the last step is half of the smallest double.
+    const double allowed = a < 1e-307 && b < 1e-307 ? 0.5 + 1e-9 : 5;
+    CHECK(exact::ulps(swing::agm(a, b), oracle::agm(a, b)) <= allowed);
+  }
+  CHECK(swing::agm(inf, 1) == inf);
+  CHECK(swing::agm(1, inf) == inf);
+
+  // From rest: the times of small angles depend on their quotient alone, down to arcosh 2.
+  for(const auto& [past, eta] : {std::pair{smallest, smallest},
+                                 {2 * smallest, smallest},
+                                 {smallest, 1e-310},
+                                 {1e-310, 1e-310},
+                                 {3e-310, 1e-320},
+                                 {1e-300, smallest},
+                                 {1.0, smallest},
+                                 {smallest, 1e-9},
+                                 {smallest, 1e-3},
+                                 {1e-320, 2.0},
+                                 {1e-310, 1e-300}})
+  {
+    CAPTURE(past);
+    CAPTURE(eta);
+    CHECK(exact::ulps(swing::time_from_rest_past(past, eta), oracle::time_from_rest_past(past, eta)) <= 6);
+  }
+  CHECK(exact::ulps(swing::time_from_rest(2 * smallest, smallest),
+                    oracle::time_from_rest_past(smallest, smallest))
+        <= 6);
+
+  for(const auto& [phi, zeta] : {std::pair{smallest, smallest},
+                                 {2 * smallest, 3 * smallest},
+                                 {1e-310, 1e-310},
+                                 {1e-310, 3e-310},
+                                 {smallest, 1e-3},
+                                 {smallest, 1e-300},
+                                 {1e-320, 3.0},
+                                 {1e-290, 1e-280},
+                                 {1e-300, 1e-100}})
+  {
+    CAPTURE(phi);
+    CAPTURE(zeta);
+    // The smallest swings take the arc whose sine is Φ/ζ.
+    const Fifty exact = zeta < 1e-50 ? asin(Fifty(phi) / Fifty(zeta))
+                                     : oracle::time_from_bottom(phi, exact::pi() - Fifty(zeta));
+    CHECK(exact::ulps(swing::time_from_bottom(phi, Amplitude::from_zeta(zeta)), exact) <= 6);
+  }
 }
 
 TEST_CASE("arrays of different length are refused")

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
+#include <vector>
 
+#include "swing/phase.hpp"
 #include "swing/twofold.hpp"
 #include "swing_tables.hpp"
 
@@ -76,10 +80,17 @@ private:
   Settings before_;
 };
 
-void run(kernels::Table::Motion loop, const Prepared& p, const double* t, double* out, std::size_t n)
+// Whether the setting is such already. It is faster to look what two sums are rounded to than to ask the processor;
+// flushed numbers do not count where none is as small as that.
+bool usual_setting()
 {
-  const To_nearest whatever_was_set;
-  loop(p, t, out, n);
+  double tiny = 0x1p-60;
+#if defined(__x86_64__)
+  asm volatile("" : "+x"(tiny));
+#else
+  asm volatile("" : "+m"(tiny));
+#endif
+  return 1 + tiny == 1 && 1 - tiny == 1;
 }
 
 kernels::Course started(kernels::Course course, Start start)
@@ -94,10 +105,8 @@ Twofold half(Twofold x)
 
 void set_frequency(Prepared& p, Twofold f)
 {
-  p.f_hi = f.hi;
-  p.f_head = head_of(f.hi);
-  p.f_tail = f.hi - p.f_head;
-  p.f_lo = f.lo;
+  const double head = head_of(f.hi);
+  p.frequency = {f.hi, head, f.hi - head, f.lo, p.frequency.reach};
 }
 
 void set_log_q(Prepared& p, Twofold log_q)
@@ -220,12 +229,6 @@ Twofold cofactor(double q, double x, double y)
   return sum_of(1, y * (three + y * q2 * (five + y * q2 * q2 * seven)));
 }
 
-void same_length(std::span<const double> in, std::span<double> out)
-{
-  if(in.size() != out.size())
-    throw std::invalid_argument("swing: the arrays differ in length");
-}
-
 // The dual nome of K/K' with the modulus k, its complement kc and M(1, kc). Returns the quotient of the theta
 // functions at the bottom, of which one factor is 1 − q' or 1 + q'.
 Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold mean, double sign)
@@ -244,7 +247,7 @@ Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold me
     if(start == Start::rest)
       throw std::domain_error("swing: at rest at the top the pendulum stays there");
     set_frequency(p, {0x1p-500, 0});
-    p.reach = 0.25;
+    p.frequency.reach = 0.25;
     set_log_q(p, {0x1p500, 0});
     p.angle_scale = 0.5;
     p.velocity_scale = 4;
@@ -290,12 +293,131 @@ Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold me
   return kernels::barely;
 }
 
+// How many rows a quarter period has, if it takes the time `quarter` in the unit in which the poles of the motion
+// lie ½π or more from the real times: so many that a row's polynomial is exact to 2⁻⁵⁵ of the angle. None where they
+// would no longer fit into the nearest caches.
+std::size_t rows_in_quarter(double quarter)
+{
+  constexpr double longest_step = 0.05;
+  std::size_t n = 32;
+  while(static_cast<double>(n) * longest_step < quarter)
+  {
+    n *= 2;
+    if(n > 512)
+      return 0;
+  }
+  return n;
+}
+
+bool starts_at_rest(kernels::Course course)
+{
+  return course < kernels::fast && course % 2 == 1;
+}
+bool goes_round(kernels::Course course)
+{
+  return course >= kernels::fast;
+}
+
+// Rows and the memory they lie in.
+struct Made
+{
+  kernels::Rows rows;
+  std::vector<kernels::Row> memory;
+};
+
+// At each phase the question is answered from the beginning, with a half swing for the unit of time; the rest is the
+// equation of motion. Angles are odd about the lowest point and change their sign from half swing to half swing.
+[[gnu::noinline]] std::unique_ptr<const Made> made(const Prepared& p, kernels::Course course,
+                                                   kernels::Question asked, std::size_t in_quarter)
+{
+  const kernels::Table& best = kernels::best();
+  const std::size_t size = (in_quarter / kernels::rows_at_once + 1) * kernels::rows_at_once;
+  const double steps = 2 * static_cast<double>(in_quarter);
+  Prepared by_phase = p;
+  by_phase.frequency = {1, 1, 0, 0, 1};
+  std::vector<double> phase(size);
+  for(std::size_t i = 0; i < size; ++i)
+    phase[i] = static_cast<double>(std::min(i, in_quarter)) / steps;
+  const bool from_top = asked == kernels::from_top;
+  std::vector<double> angle(size);
+  std::vector<double> speed(size);
+  best.direct[course][from_top ? kernels::from_top : kernels::angle](by_phase, phase.data(), angle.data(),
+                                                                     size);
+  best.direct[course][kernels::velocity](by_phase, phase.data(), speed.data(), size);
+  if(from_top)
+    for(double& v : speed)
+      v = -v;
+
+  auto result = std::make_unique<Made>();
+  result->memory.resize(size);
+  kernels::Rows& r = result->rows;
+  r.frequency = p.frequency;
+  r.steps = steps;
+  r.row = result->memory.data();
+  const kernels::Centres centres{angle.data(), speed.data(), size, from_top ? 1.0 : -1.0,
+                                 1 / (p.frequency.hi * steps)};
+  (asked == kernels::velocity ? best.rows_of_velocity : best.rows_of_angle)(centres, result->memory.data());
+  if(asked != kernels::from_top)
+  {
+    const bool odd = (asked == kernels::angle) != starts_at_rest(course);
+    r.by_parity = goes_round(course) ? 0 : bits::sign_bit;
+    r.by_side = odd ? bits::sign_bit : 0;
+  }
+  if(goes_round(course) && asked == kernels::angle)
+  {
+    r.turn_hi = 2 * pi_hi;
+    r.turn_lo = 2 * pi_lo;
+  }
+  return result;
+}
+
 }  // namespace
+
+// What copies of a motion share: its rows, of which those for a question are made when it is first asked.
+class Motion::Tables
+{
+public:
+  explicit Tables(std::size_t in_quarter) : in_quarter_(in_quarter) {}
+  ~Tables()
+  {
+    for(const std::atomic<const Made*>& made : made_)
+      delete made.load();
+  }
+  Tables(const Tables&) = delete;
+  Tables& operator=(const Tables&) = delete;
+
+  // None where they have not been made yet.
+  const kernels::Rows* ready(kernels::Question asked) const
+  {
+    const Made* const made = made_[asked].load(std::memory_order_acquire);
+    return made != nullptr ? &made->rows : nullptr;
+  }
+
+  // None where there shall be none. To be called in round to nearest.
+  const kernels::Rows* rows(const Prepared& p, kernels::Course course, kernels::Question asked)
+  {
+    if(in_quarter_ == 0)
+      return nullptr;
+    if(const kernels::Rows* const rows = ready(asked))
+      return rows;
+    std::unique_ptr<const Made> mine = made(p, course, asked, in_quarter_);
+    const Made* others = nullptr;
+    if(made_[asked].compare_exchange_strong(others, mine.get()))
+      return &mine.release()->rows;
+    return &others->rows;
+  }
+
+private:
+  std::size_t in_quarter_;
+  std::array<std::atomic<const Made*>, 3> made_{};
+};
 
 Motion::Motion(Amplitude a, Start start)
 {
   const To_nearest whatever_was_set;
   course_ = prepare(prepared_, a, start);
+  // With smaller amplitudes numbers may become subnormal where the rows are read, which may be flushed.
+  tables_ = std::make_shared<Tables>(a.zeta > 0x1p-400 ? rows_in_quarter(0.5 / prepared_.frequency.hi) : 0);
 }
 
 Motion Motion::revolving(double excess)
@@ -305,53 +427,82 @@ Motion Motion::revolving(double excess)
   const To_nearest whatever_was_set;
   Motion m;
   m.course_ = prepare(m.prepared_, excess);
+  m.tables_ =
+      std::make_shared<Tables>(rows_in_quarter(0.5 * std::sqrt(1 + excess) / m.prepared_.frequency.hi));
   return m;
+}
+
+const kernels::Rows* Motion::rows(kernels::Question asked) const
+{
+  const To_nearest whatever_was_set;
+  return tables_->rows(prepared_, course_, asked);
+}
+
+[[gnu::noinline]] double Motion::ask_with_care(kernels::Question asked, double t) const
+{
+  const To_nearest whatever_was_set;
+  if(const kernels::Rows* const rows = tables_->rows(prepared_, course_, asked))
+    return phase::value_at(*rows, t);
+  double result;
+  kernels::variant(0).direct[course_][asked](prepared_, &t, &result, 1);
+  return result;
+}
+
+double Motion::ask(kernels::Question asked, double t) const
+{
+  const kernels::Rows* const rows = tables_->ready(asked);
+  if(rows != nullptr && std::abs(t) >= 0x1p-400 && usual_setting()) [[likely]]
+    return phase::value_at(*rows, t);
+  return ask_with_care(asked, t);
+}
+
+void Motion::ask(kernels::Question asked, std::span<const double> t, std::span<double> out) const
+{
+  if(t.size() != out.size())
+    throw std::invalid_argument("swing: the arrays differ in length");
+  const To_nearest whatever_was_set;
+  const kernels::Table& best = kernels::best();
+  if(const kernels::Rows* const rows = tables_->rows(prepared_, course_, asked))
+    best.read(*rows, t.data(), out.data(), t.size());
+  else
+    best.direct[course_][asked](prepared_, t.data(), out.data(), t.size());
 }
 
 double Motion::angle(double t) const
 {
-  double result;
-  run(kernels::variant(0).motion[course_].angle, prepared_, &t, &result, 1);
-  return result;
+  return ask(kernels::angle, t);
 }
 
 double Motion::velocity(double t) const
 {
-  double result;
-  run(kernels::variant(0).motion[course_].velocity, prepared_, &t, &result, 1);
-  return result;
+  return ask(kernels::velocity, t);
 }
 
 double Motion::angle_from_top(double t) const
 {
-  double result;
-  run(kernels::variant(0).motion[course_].from_top, prepared_, &t, &result, 1);
-  return result;
+  return ask(kernels::from_top, t);
 }
 
 void Motion::angle(std::span<const double> t, std::span<double> out) const
 {
-  same_length(t, out);
-  run(kernels::best().motion[course_].angle, prepared_, t.data(), out.data(), t.size());
+  ask(kernels::angle, t, out);
 }
 
 void Motion::velocity(std::span<const double> t, std::span<double> out) const
 {
-  same_length(t, out);
-  run(kernels::best().motion[course_].velocity, prepared_, t.data(), out.data(), t.size());
+  ask(kernels::velocity, t, out);
 }
 
 void Motion::angle_from_top(std::span<const double> t, std::span<double> out) const
 {
-  same_length(t, out);
-  run(kernels::best().motion[course_].from_top, prepared_, t.data(), out.data(), t.size());
+  ask(kernels::from_top, t, out);
 }
 
 double Motion::period() const
 {
-  if(prepared_.reach < 1)
+  if(prepared_.frequency.reach < 1)
     return std::numeric_limits<double>::infinity();
-  return (course_ == kernels::fast || course_ == kernels::barely ? 1 : 2) / prepared_.f_hi;
+  return (goes_round(course_) ? 1 : 2) / prepared_.frequency.hi;
 }
 
 }  // namespace swing

@@ -18,6 +18,8 @@
 /// setting returns. So a motion of the same amplitude is the same to the last bit (tests/swing_environment.cpp).
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <span>
 
 #include "swing/kernels.hpp"
@@ -70,16 +72,24 @@ public:
   /// 1 ulp.
   double period() const;
 
-  /// What the loops are given; for tests and benchmarks of each variant.
+  /// What the loops that compute directly are given; for tests and benchmarks of each variant.
   const kernels::Prepared& prepared() const { return prepared_; }
-  /// Which of the loops; for the same.
+  /// Which of those loops; for the same.
   kernels::Course course() const { return course_; }
+  /// The rows that a question is answered by, or none where it is computed directly; for the same.
+  const kernels::Rows* rows(kernels::Question asked) const;
 
 private:
+  class Tables;
+
   Motion() = default;
+  double ask(kernels::Question asked, double t) const;
+  double ask_with_care(kernels::Question asked, double t) const;
+  void ask(kernels::Question asked, std::span<const double> t, std::span<double> out) const;
 
   kernels::Prepared prepared_;
   kernels::Course course_ = kernels::low;
+  std::shared_ptr<Tables> tables_;
 };
 
 }  // namespace swing

@@ -19,22 +19,35 @@ namespace
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// What the table says of x + lost, x being in it.
-template <class Table>
-rows::Sum<double> looked_up(double x, double lost)
+// An argument that is exact, and one with what it was rounded by: then the row's distance grows by so much.
+struct Exact
 {
-  const double* const c = Table::rows + rows::row_of<Table>(x);
-  return {c[1], rows::beyond_centre(c, (x - c[0]) + lost)};
+  double x;
+  SWING_INLINE double moved(double distance, double) const { return distance; }
+};
+struct Inexact
+{
+  double x;
+  double lost;
+  SWING_INLINE double moved(double distance, double scale) const { return distance + lost * scale; }
+};
+
+// What the table says of x, x being in it.
+template <class Table, class Argument>
+SWING_INLINE rows::Sum<double> looked_up(Argument a)
+{
+  const double* const c = Table::rows + rows::row_of<Table>(a.x);
+  return {c[1], rows::beyond_centre(c, a.moved(a.x - c[0], 1))};
 }
 
-// The same for x below the table too.
-template <class Table>
-rows::Sum<double> value(double x, double lost)
+// And what the logarithm and its series say of x below the table, but for the scale.
+template <class Table, class Argument>
+SWING_INLINE rows::Sum<double> below(Argument a)
 {
-  if(x >= Table::start)
-    return looked_up<Table>(x, lost);
-  const rows::Doubled d = rows::doubled<Table>(x, lost);
-  return rows::halved<Table>(looked_up<Table>(d.x, d.lost), d.n);
+  const rows::Scaled s = rows::scaled<Table>(a.x);
+  const double* const c = Table::rows + rows::row_of_mantissa(s.mantissa);
+  return rows::with_halvings<Table>(c[1], rows::beyond_centre(c, a.moved(s.mantissa - c[0], s.power)),
+                                    s.halvings, Table::small_of(a.x));
 }
 
 // Infinite at zero, NaN where there is no value.
@@ -44,13 +57,18 @@ double out_of_domain(double x)
 }
 
 // Of the table's function for any x.
-template <class Table>
-double rounded_value(double x, double lost)
+template <class Table, class Argument>
+SWING_INLINE double rounded_value(Argument a)
 {
-  if(!(x > 0 && x <= Table::last))
-    return out_of_domain(x);
-  const rows::Sum<double> sum = value<Table>(x, lost);
-  return sum.main + sum.rest;
+  if(a.x >= Table::start && a.x <= Table::last)
+  {
+    const rows::Sum<double> sum = looked_up<Table>(a);
+    return sum.main + sum.rest;
+  }
+  if(!(a.x > 0 && a.x < Table::start))
+    return out_of_domain(a.x);
+  const rows::Sum<double> sum = below<Table>(a);
+  return (sum.main + sum.rest) * Table::scale;
 }
 
 void same_length(std::span<const double> in, std::span<double> out)
@@ -168,35 +186,34 @@ double agm(double a, double b)
     return nan;
   if(a == 0 || b == 0)
     return 0;
+  if(std::max(a, b) < 0x1p-900)  // where half an odd number of the smallest doubles is none
+    return agm(a * 0x1p900, b * 0x1p900) * 0x1p-900;
   while(std::abs(a - b) > 2e-8 * a)
   {
-    const double mean = 0.5 * (a + b);
+    const double mean = 0.5 * a + 0.5 * b;
     b = std::sqrt(a) * std::sqrt(b);
     a = mean;
   }
-  return 0.5 * (a + b);
+  return 0.5 * a + 0.5 * b;
 }
 
 double K(double k)
 {
-  using Table = rows::K_by_modulus;
-  const double y = 1 - std::abs(k);
-  if(!(y > 0))
-    return out_of_domain(y);
-  const double* const c = Table::rows + rows::row_of<Table>(y);
-  return c[1] + rows::beyond_centre(c, y - c[0]);
+  return rounded_value<rows::K_by_modulus>(Exact{1 - std::abs(k)});
 }
 
 double K_from_complement(double kc)
 {
-  return rounded_value<rows::K_by_complement>(kc, 0);
+  return rounded_value<rows::K_by_complement>(Exact{kc});
 }
 
 double quarter_time_from_top(double eta)
 {
   if(!(eta > 0 && eta <= pi_hi))
     return out_of_domain(eta);
-  const rows::Sum<double> ratio = value<rows::Ratio_by_eta>(eta, 0);
+  using Table = rows::Ratio_by_eta;
+  const rows::Sum<double> ratio =
+      eta >= Table::start ? looked_up<Table>(Exact{eta}) : below<Table>(Exact{eta});
   const Twofold K = product_of(ratio.main, pi_hi / 2);
   return K.hi + (K.lo + (ratio.main * (pi_lo / 2) + ratio.rest * (pi_hi / 2)));
 }
@@ -208,7 +225,7 @@ double quarter_time(Amplitude a)
 
 double ratio_from_top(double eta)
 {
-  return rounded_value<rows::Ratio_by_eta>(eta, 0);
+  return rounded_value<rows::Ratio_by_eta>(Exact{eta});
 }
 
 double ratio_from_bottom(double zeta)
@@ -217,12 +234,12 @@ double ratio_from_bottom(double zeta)
     return nan;
   const double nearly = pi_hi - zeta;
   const double eta = nearly + pi_lo;
-  return rounded_value<rows::Ratio_by_eta>(eta, (nearly - eta) + pi_lo);
+  return rounded_value<rows::Ratio_by_eta>(Inexact{eta, (nearly - eta) + pi_lo});
 }
 
 double ratio(Amplitude a)
 {
-  return rounded_value<rows::Ratio_by_eta>(a.eta, a.eta_rest);
+  return rounded_value<rows::Ratio_by_eta>(Inexact{a.eta, a.eta_rest});
 }
 
 // Up to 90° by a polynomial in ζ²; beyond, where the excess is no longer small, a subtraction costs three
@@ -262,20 +279,25 @@ void ratio_from_top(std::span<const double> eta, std::span<double> out)
   kernels::best().ratio_from_top(eta.data(), out.data(), eta.size());
 }
 
-// With z = sin ½Φ the time is the integral of dz/√((1 − z²)(k² − z²)); k² − z² is a product of two sines.
+// With z = sin ½Φ the time is the integral of dz/√((1 − z²)(k² − z²)); k² − z² is a product of two sines. The
+// smallest swings all take the same time to the same part of their amplitude, and the first part of any swing goes
+// uniformly.
 double time_from_bottom(double phi, Amplitude a)
 {
   const double up = std::abs(phi);
   if(!(up <= a.zeta))
     return nan;
-  const double from_top = supplement(up);
-  const double z = std::sin(up / 2);
-  if(z == 0)
+  if(up == 0)
     return phi;
+  if(a.zeta < 0x1p-500)
+    return time_from_bottom(phi * 0x1p400, Amplitude::from_zeta(a.zeta * 0x1p400));
   const double k = a.modulus();
+  if(up < 0x1p-950)
+    return phi / k / 2;
+  const double from_top = supplement(up);
   const double across = std::sin(from_top / 2);
   const double left = std::sin((a.zeta - up) / 2) / k * (sine_of_half_sum(a.zeta, a.eta, up, from_top) / k);
-  return std::copysign(z / k * carlson_rf(left, across * across, 1),
+  return std::copysign(std::sin(up / 2) / k * carlson_rf(left, across * across, 1),
                        phi);  // divided by k: k² may underflow
 }
 
@@ -294,9 +316,11 @@ double time_from_rest_past(double past, double eta)
   if(past == 0)
     return 0;
   if(eta == 0)
-    return std::numeric_limits<double>::infinity();
+    return inf;
+  if(psi < 0x1p-500)  // there the time depends on the quotient alone
+    return time_from_rest_past(past * 0x1p400, eta * 0x1p400);
   const double omega = psi / 2;
-  const double below = std::sin(past / 2);
+  const double twice_below = past < 1e-8 ? past : 2 * std::sin(past / 2);
   const double above = sine_of_half_sum(psi, supplement(psi), eta, supplement(eta));
   if(eta < 1e-8)
   {
@@ -305,14 +329,15 @@ double time_from_rest_past(double past, double eta)
     const double first = past < psi / 2   ? std::log1p(past / eta)
                          : tangents < inf ? std::log(tangents)
                                           : std::log(4 * std::tan(omega / 2)) - std::log(eta);
-    const double quotient = past < 1e-8 ? past / (2 * sine) : below / sine;
+    const double quotient = twice_below / (2 * sine);
     return first + std::log1p(std::sqrt(quotient) * std::sqrt(above / sine));
   }
   const double sa = std::sin(eta / 2);
   const double ca = std::cos(eta / 2);
   const double so = std::sin(omega);
   const double co = psi < 1 ? std::cos(omega) : std::sin(supplement(psi) / 2);
-  return std::sqrt(below * above) * carlson_rf(sa * sa * co * co, sa * sa * ca * ca, ca * ca * so * so);
+  return std::sqrt(twice_below) * std::sqrt(above / 2)
+         * carlson_rf(sa * sa * co * co, sa * sa * ca * ca, ca * ca * so * so);
 }
 
 }  // namespace swing

@@ -376,7 +376,7 @@ Scene angle_scene(const std::string& name, swing::Amplitude a, const oracle::Mot
     const swing::kernels::Table& table = swing::kernels::variant(v);
     s.methods.push_back({std::string("this edition, ") + table.name, "ours",
                          [m, &table](std::span<const double> in, std::span<double> out) {
-                           table.motion[m.course()].angle(m.prepared(), in.data(), out.data(), in.size());
+                           table.read(*m.rows(swing::kernels::angle), in.data(), out.data(), in.size());
                          }});
   }
   return s;
