@@ -29,8 +29,11 @@ double distance(double got, const Fifty& exact)
   return static_cast<double>(abs(Fifty(got) - exact));
 }
 
-// How far Φ may be off in units of 2⁻⁵² ζ, and Φ' in units of 2⁻⁵² 2k.
-constexpr double allowed = 3;
+// How far Φ may be off in units of 2⁻⁵² ζ, read from rows and computed from the beginning: the rows are right to a
+// rounding, and reading them rounds once more. And Φ' in units of 2⁻⁵² 2k.
+constexpr double allowed_by_rows = 1.1;
+constexpr double allowed = 2;
+constexpr double allowed_velocity = 2.5;
 
 // One amplitude, its motion and the oracle's; `since_bottom` is the time from the bottom to the clock's start.
 struct Case
@@ -75,8 +78,8 @@ void check(const Case& c, const std::vector<double>& times)
   CAPTURE(c.a.eta);
   CAPTURE(angle.at);
   CAPTURE(velocity.at);
-  CHECK(angle.error <= allowed);
-  CHECK(velocity.error <= allowed);
+  CHECK(angle.error <= (c.motion.rows(swing::kernels::angle) != nullptr ? allowed_by_rows : allowed));
+  CHECK(velocity.error <= allowed_velocity);
 }
 
 // So many random times, in periods.
@@ -265,7 +268,7 @@ TEST_CASE("going round, from hardly over the top to very fast")
     CAPTURE(angle.at);
     CAPTURE(velocity.at);
     CHECK(angle.error <= allowed);
-    CHECK(velocity.error <= allowed);
+    CHECK(velocity.error <= allowed_velocity);
     CHECK(exact::ulps(m.period(), Fifty(2) * exact.quarter()) <= 1);
     CHECK(m.angle(0) == 0);
   }

@@ -325,10 +325,35 @@ struct Made
   std::vector<kernels::Row> memory;
 };
 
+// The way to go from the first phase to the last, known better than where each phase lies.
+struct Way
+{
+  Twofold from;
+  Twofold length;
+};
+
+// The angles at the phases once more, as sums of the steps from each to the next: these are so small that their
+// roundings hardly count, and what they are wrong by in common goes out, for they must make up the whole way.
+void settle(std::vector<kernels::Row>& rows, std::size_t last, const Way& way)
+{
+  const auto beyond = [](const kernels::Row& row, double distance) {
+    kernels::Row without = row;
+    without.c[0] = 0;
+    return phase::polynomial(without.c, distance);
+  };
+  std::vector<Twofold> gone{{}};
+  for(std::size_t i = 0; i < last; ++i)
+    gone.push_back(gone[i] + Twofold{beyond(rows[i], 0.5) - beyond(rows[i + 1], -0.5), 0});
+  const Twofold scale = way.length / gone[last];
+  for(std::size_t i = 0; i <= last; ++i)
+    rows[i].c[0] = (way.from + gone[i] * scale).hi;
+}
+
 // At each phase the question is answered from the beginning, with a half swing for the unit of time; the rest is the
 // equation of motion. Angles are odd about the lowest point and change their sign from half swing to half swing.
 [[gnu::noinline]] std::unique_ptr<const Made> made(const Prepared& p, kernels::Course course,
-                                                   kernels::Question asked, std::size_t in_quarter)
+                                                   kernels::Question asked, std::size_t in_quarter,
+                                                   const Way& way)
 {
   const kernels::Table& best = kernels::best();
   const std::size_t size = (in_quarter / kernels::rows_at_once + 1) * kernels::rows_at_once;
@@ -357,6 +382,8 @@ struct Made
   const kernels::Centres centres{angle.data(), speed.data(), size, from_top ? 1.0 : -1.0,
                                  1 / (p.frequency.hi * steps)};
   (asked == kernels::velocity ? best.rows_of_velocity : best.rows_of_angle)(centres, result->memory.data());
+  if(asked == kernels::angle)
+    settle(result->memory, in_quarter, way);
   if(asked != kernels::from_top)
   {
     const bool odd = (asked == kernels::angle) != starts_at_rest(course);
@@ -377,7 +404,7 @@ struct Made
 class Motion::Tables
 {
 public:
-  explicit Tables(std::size_t in_quarter) : in_quarter_(in_quarter) {}
+  Tables(std::size_t in_quarter, const Way& way) : in_quarter_(in_quarter), way_(way) {}
   ~Tables()
   {
     for(const std::atomic<const Made*>& made : made_)
@@ -400,7 +427,7 @@ public:
       return nullptr;
     if(const kernels::Rows* const rows = ready(asked))
       return rows;
-    std::unique_ptr<const Made> mine = made(p, course, asked, in_quarter_);
+    std::unique_ptr<const Made> mine = made(p, course, asked, in_quarter_, way_);
     const Made* others = nullptr;
     if(made_[asked].compare_exchange_strong(others, mine.get()))
       return &mine.release()->rows;
@@ -409,6 +436,7 @@ public:
 
 private:
   std::size_t in_quarter_;
+  Way way_;
   std::array<std::atomic<const Made*>, 3> made_{};
 };
 
@@ -417,7 +445,9 @@ Motion::Motion(Amplitude a, Start start)
   const To_nearest whatever_was_set;
   course_ = prepare(prepared_, a, start);
   // With smaller amplitudes numbers may become subnormal where the rows are read, which may be flushed.
-  tables_ = std::make_shared<Tables>(a.zeta > 0x1p-400 ? rows_in_quarter(0.5 / prepared_.frequency.hi) : 0);
+  const std::size_t rows = a.zeta > 0x1p-400 ? rows_in_quarter(0.5 / prepared_.frequency.hi) : 0;
+  const Twofold zeta{a.zeta, a.zeta_rest};
+  tables_ = std::make_shared<Tables>(rows, start == Start::rest ? Way{zeta, -zeta} : Way{{}, zeta});
 }
 
 Motion Motion::revolving(double excess)
@@ -427,8 +457,8 @@ Motion Motion::revolving(double excess)
   const To_nearest whatever_was_set;
   Motion m;
   m.course_ = prepare(m.prepared_, excess);
-  m.tables_ =
-      std::make_shared<Tables>(rows_in_quarter(0.5 * std::sqrt(1 + excess) / m.prepared_.frequency.hi));
+  m.tables_ = std::make_shared<Tables>(
+      rows_in_quarter(0.5 * std::sqrt(1 + excess) / m.prepared_.frequency.hi), Way{{}, {pi_hi, pi_lo}});
   return m;
 }
 

@@ -14,6 +14,12 @@
 /// Each is also there for arrays, many times faster. The time is first reduced to a fraction of the swing
 /// with a frequency of 107 bits, so that 10⁶ periods cost no digit.
 ///
+/// When a question is asked for the first time, the motion is tabulated for it: polynomials of degree 7 at 32 to 512
+/// phases of a quarter period, each in one line of the cache, which takes as long as some ten to two hundred
+/// answers computed from the beginning. From then on an answer is read from one of them. Nearer to the top than η =
+/// 6·10⁻¹¹ (and for excesses as small) the rows would be too many; there each answer is computed from the beginning,
+/// as it is with amplitudes below 2⁻⁴⁰⁰. Copies of a motion share the rows; several threads may ask at once.
+///
 /// All is computed in round to nearest and, on x86-64, with subnormal numbers, whatever is set; the caller's
 /// setting returns. So a motion of the same amplitude is the same to the last bit (tests/swing_environment.cpp).
 #pragma once
@@ -49,8 +55,8 @@ public:
 
   // Errors as found by tests/swing_motion.cpp, within 100 periods and after 10⁶ alike, for any amplitude.
 
-  /// Φ at the time t. Worst error 2 · 2⁻⁵² ζ (of π, or of Φ itself, going round), and the last digit of Φ in
-  /// the first instants. NaN for NaN and when |t| exceeds 2⁵⁰ half swings (10¹⁵⁰ for the motion that ends at
+  /// Φ at the time t. Worst error 1.1 · 2⁻⁵² ζ (of π, or of Φ itself, going round; 2 · 2⁻⁵² ζ where there are no rows), and
+  /// some of the last digits of Φ in the first instants. NaN for NaN and when |t| exceeds 2⁵⁰ half swings (10¹⁵⁰ for the motion that ends at
   /// the top).
   double angle(double t) const;
   /// Φ' at the time t, NaN as angle(). Worst error 2½ · 2⁻⁵² of the greatest velocity.

@@ -124,6 +124,31 @@ std::vector<Fifty> through(const std::vector<Fifty>& x, const std::vector<Fifty>
   return c;
 }
 
+Quotient rational(const std::function<Fifty(const Fifty&)>& f, int n, const Fifty& a, const Fifty& b)
+{
+  // above − f (below − 1) = f, linear in the coefficients.
+  std::vector<std::vector<Fifty>> rows;
+  std::vector<Fifty> right;
+  for(const Fifty& x : tchebychef_points(2 * n + 1, a, b))
+  {
+    const Fifty t = x - (a + b) / Fifty(2);
+    const Fifty value = f(x);
+    std::vector<Fifty> row;
+    Fifty power = 1;
+    for(int j = 0; j <= n; ++j, power *= t)
+      row.push_back(power);
+    power = t;
+    for(int j = 1; j <= n; ++j, power *= t)
+      row.push_back(-value * power);
+    rows.push_back(std::move(row));
+    right.push_back(value);
+  }
+  const std::vector<Fifty> c = solve(std::move(rows), std::move(right));
+  Quotient q{{c.begin(), c.begin() + n + 1}, {Fifty(1)}};
+  q.below.insert(q.below.end(), c.begin() + n + 1, c.end());
+  return q;
+}
+
 Fifty value(const std::vector<Fifty>& c, const Fifty& x)
 {
   Fifty sum = 0;

@@ -34,6 +34,17 @@ Fit minimax(const std::vector<Sample>& samples);
 /// The polynomial c₀ + c₁x + … of degree n − 1 through n points. The abscissae must differ.
 std::vector<Fifty> through(const std::vector<Fifty>& x, const std::vector<Fifty>& y);
 
+/// A quotient of polynomials.
+struct Quotient
+{
+  std::vector<Fifty> above;  ///< the coefficients of the numerator
+  std::vector<Fifty> below;  ///< those of the denominator, the first being 1
+};
+
+/// The quotient of polynomials of degree n that agrees with f at 2n + 1 of Tchebychef's points of the interval from a
+/// to b: very nearly the best there. Both are polynomials in x − ½(a + b).
+Quotient rational(const std::function<Fifty(const Fifty&)>& f, int n, const Fifty& a, const Fifty& b);
+
 /// The value of the polynomial c₀ + c₁x + …
 Fifty value(const std::vector<Fifty>& c, const Fifty& x);
 

@@ -14,48 +14,22 @@
 #include "exact/fifty.hpp"
 #include "minimax.hpp"
 #include "swing/oracle.hpp"
+#include "writing.hpp"
 
 namespace
 {
 
 using exact::Fifty;
+using generate::bits;
 using generate::Fit;
+using generate::hex;
+using generate::rounded;
 using generate::Sample;
+using generate::write_array;
 namespace oracle = swing::oracle;
 using Function = std::function<Fifty(const Fifty&)>;
 
 std::FILE* out = nullptr;
-
-std::string hex(double x)
-{
-  char text[40];
-  std::snprintf(text, sizeof text, "%a", x);
-  return text;
-}
-
-void write_array(const std::string& name, const std::string& comment, const std::vector<double>& c)
-{
-  std::fprintf(out, "\n// %s\ninline constexpr double %s[] = {", comment.c_str(), name.c_str());
-  for(std::size_t i = 0; i < c.size(); ++i)
-    std::fprintf(out, "%s%s", i == 0 ? "\n    " : i % 4 == 0 ? ",\n    " : ", ", hex(c[i]).c_str());
-  std::fprintf(out, "};\n");
-}
-
-std::vector<double> rounded(const std::vector<Fifty>& c)
-{
-  std::vector<double> d;
-  for(const Fifty& x : c)
-    d.push_back(static_cast<double>(x));
-  return d;
-}
-
-// log₂ of an error, for the comments.
-std::string bits(const Fifty& error)
-{
-  char text[40];
-  std::snprintf(text, sizeof text, "2^%.1f", std::log2(static_cast<double>(abs(error))));
-  return text;
-}
 
 constexpr int dense = 600;
 
@@ -80,7 +54,7 @@ void write_even(const std::string& name, const std::string& what, int terms, con
     samples.push_back(std::move(sample));
   }
   const Fit fit = generate::minimax(samples);
-  write_array(name,
+  write_array(out, name,
               what + "; best for x from " + a.str(6) + " to " + b.str(6) + ", largest relative error "
                   + bits(fit.error),
               rounded(fit.coefficients));
@@ -116,7 +90,7 @@ void write_exponential()
     samples.push_back(std::move(sample));
   }
   const Fit fit = generate::minimax(samples);
-  write_array("exponential",
+  write_array(out, "exponential",
               "eˣ − 1 = x + x²(c₀ + c₁x + …); best for |x| up to ½ ln 2, largest relative error "
                   + bits(fit.error),
               rounded(fit.coefficients));
@@ -308,9 +282,9 @@ void write_below(const std::string& name, const std::string& what, int terms, in
     samples.push_back(std::move(sample));
   }
   const Fit fit = generate::minimax(samples);
-  write_array(name + "_plain", what + "; largest relative error " + bits(fit.error),
+  write_array(out, name + "_plain", what + "; largest relative error " + bits(fit.error),
               rounded(fit.coefficients));
-  write_array(name + "_with_log", "and what is multiplied by λ there too", with_log);
+  write_array(out, name + "_with_log", "and what is multiplied by λ there too", with_log);
 }
 
 // K by y = 1 − k, which is a double, K by kc, and T/Θ by η: eight doublings of each, and below a logarithm.
@@ -370,7 +344,7 @@ void write_powers()
   std::vector<double> eighth;
   for(int j = 1; j < 4; ++j)
     eighth.push_back(static_cast<double>(ldexp(even[static_cast<std::size_t>(j)], 2 * j - 8)));
-  write_array("eighth_power", "d⁸ ≈ c₀d² + c₁d⁴ + c₂d⁶ for |d| ≤ ½", eighth);
+  write_array(out, "eighth_power", "d⁸ ≈ c₀d² + c₁d⁴ + c₂d⁶ for |d| ≤ ½", eighth);
 
   const std::vector<Fifty> x = generate::tchebychef_points(9, Fifty(-1), Fifty(1));
   std::vector<Fifty> ninth;
@@ -380,7 +354,7 @@ void write_powers()
   std::vector<double> c;
   for(int j = 1; j < 9; j += 2)
     c.push_back(static_cast<double>(ldexp(odd[static_cast<std::size_t>(j)], j - 9)));
-  write_array("ninth_power", "d⁹ ≈ c₀d + c₁d³ + c₂d⁵ + c₃d⁷ for |d| ≤ ½", c);
+  write_array(out, "ninth_power", "d⁹ ≈ c₀d + c₁d³ + c₂d⁵ + c₃d⁷ for |d| ≤ ½", c);
 }
 
 // A constant as a double of few digits, so that its product with a small integer is exact, and the rest.
