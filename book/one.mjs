@@ -21,6 +21,7 @@ fs.writeFileSync(
 INPUT            = "${build}/dox/${name}.dox" "${source}/book/library.dox" "${source}/src"
 HTML_OUTPUT      = doxygen-only
 GENERATE_TAGFILE = "${build}/book-only.tag"
+WARN_IF_UNDOCUMENTED = NO
 `,
 );
 run(process.execPath, path.join(here, 'weave.mjs'), source, build, '--only', name);
