@@ -39,7 +39,7 @@ Place<Real> place(const Real& a, const Real& k, const Real& phi)
 namespace parts
 {
 
-// Σ cₙ uⁿ over n ≥ 0 with c₀ = first and cₙ₊₁ = cₙ·ratio(n), until nothing is added any more; |u| < 1.
+/// Σ cₙ uⁿ over n ≥ 0 with c₀ = first and cₙ₊₁ = cₙ·ratio(n), until nothing is added any more; |u| < 1.
 template <class Real, class Ratio>
 Real sum(const Real& first, const Real& u, Ratio ratio)
 {

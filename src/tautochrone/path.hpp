@@ -43,6 +43,7 @@ struct Variants
   std::array<Sum, 3> sum{};           ///< the loops
   std::array<const char*, 3> name{};  ///< "sse2", "avx2", "avx512", or "portable"
 };
+/// Those variants; asked of the machine once.
 const Variants& variants();
 
 }  // namespace kernels
