@@ -102,6 +102,7 @@ const whatChanges = {
 /** A tab in which one page after another is opened, wide or narrow, light or dark. */
 async function tab(mode) {
   const context = await browser.newContext(mode);
+  context.setDefaultTimeout(180_000); // a busy machine is no fault of the book
   await context.addInitScript(watch);
   const page = await context.newPage();
   let name = 'index.html';
