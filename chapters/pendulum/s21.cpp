@@ -1,5 +1,7 @@
 #include "edition/section.hpp"
 #include "pendulum/columns.hpp"
+#include "pendulum/steps.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 21, "The array, by rows and by columns")
@@ -13,8 +15,8 @@ using pendulum::sum_by_columns, pendulum::sum_by_rows;
 With the integrals put into the series, the time of the descent becomes an endless triangle of terms. Those of
 {{sec pendulum.20}} go, one after another, into the equation
 
-$$ \frac{dt\sqrt{2g}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega} +
-     \frac12\cdot\frac{\sin^2\alpha}{\sin^3\omega}
+$$ \frac{dt\sqrt{2g}{{entry acceleration}}}{\sqrt b} = d\omega\left(\frac{1}{\sin\omega} +
+     \frac12\cdot\frac{\sin^2\alpha{{entry numerators}}}{\sin^3\omega}
    + \frac{1\cdot3}{2\cdot4}\cdot\frac{\sin^4\alpha}{\sin^5\omega} + \text{etc.}\right). \tag{1} $$
 
 Each term of the equation becomes a row, and what has the same power of $\sin\alpha$ beside the cosine is set
@@ -23,7 +25,7 @@ array, each multiplied by what stands over its column; here $S = \sin\alpha$, $C
 l\cot\frac12\alpha$, and $m$ is the number of the row, from 0:
 
 $$ \def\arraystretch{1.7} \begin{array}{ccccc}
-   S^{2m}L & C & CS^2 & CS^4 & CS^6 \\ \hline
+   S^{2m}L{{entry logarithm}} & C & CS^2 & CS^4 & CS^6 \\ \hline
    1 \\
    \frac{1^2}{2^2} & \frac{1^2}{2^2} \\
    \frac{1^2 3^2}{2^2 4^2} & \frac{1\cdot3}{2\cdot4^2} & \frac{1\cdot3^2}{2^2 4^2} \\
@@ -48,7 +50,7 @@ $\sin^6\alpha$ may be neglected without sensible error.
 The entry in row $m$ and the column of $\cos\alpha\sin^{2j}\alpha$ is a coefficient of {{sec pendulum.20}}
 times one of the series,
 
-$$ \frac{a_m^2}{2(m-j)\,a_{m-j}}, \qquad a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots2n}. \tag{3} $$
+$$ \frac{a_m^2}{2(m-j)\,a_{m-j}}, \qquad a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots2n}. \tag{A} $$
 
 A row is $a_m J_m$, with the scaled integrals of {{sec pendulum.18}}:
 
@@ -64,7 +66,7 @@ that gives all is derived in {{sec pendulum.28}}.
 All entries being positive, the order of adding cannot change the sum. It changes everything else.
 */
 
-const auto swing_ = amplitude_from_top(5_deg);
+const auto swing_ = amplitude_from_top(5_deg, from_below(30_deg, 180_deg));
 const auto rows = integer("rows", 5, 0, 100'000, "rows that are added; Euler writes five");
 const auto columns = integer("columns", 2, 0, 500, "columns that are added beside the logarithmic one");
 
@@ -125,16 +127,16 @@ TELL
     ways.push_back({"columns: " + std::to_string(k), [=] { return sum_by_columns(alpha, k); }, "columns"});
   ways.push_back(
       {"arithmetic-geometric mean", [=] { return ratio_by_mean(2 * alpha) * std::numbers::pi / 2; }});
-  race("time", "t√(2g/b)", whole(alpha), ways);
+  race("time", "t√(2g/b)", whole(swing_.eta.fifty() / 2), ways);
 }
 
 /*!
 ## Checks
 
-First the entries that are printed, in exact fractions; the ten that have no logarithm are all right.
+First the entries that stand in our copy, in exact fractions; all ten that have no logarithm are right.
 */
 
-CHECK_THAT("the law (3) gives what Euler prints, column by column")
+CHECK_THAT("the law (A) gives what Euler prints, column by column")
 {
   CHECK(entry(1, 0) == Rational(1, 2 * 2));
   CHECK(entry(2, 0) == Rational(1 * 3, 2 * 4 * 4));
@@ -185,7 +187,7 @@ CHECK_THAT("by rows what is missing falls like 1/√(πm), over cos α, however 
 }
 
 /*!
-Readings. In {{eq 1}} the scan has put $\sin\omega$ for $\sin\alpha$ above; under the roots on the left the
+Readings. In {{eq 1}} our copy has put $\sin\omega$ for $\sin\alpha$ above; under the roots on the left the
 letter z for the digit 2; and in the array the integral sign for the letter $l$. (On the left a bare $d$ and a
 1 stand for $dt$ and $t$; and a third power of 1 in the fifth row may stay, since it changes nothing.)
 */
@@ -207,11 +209,21 @@ const Emendation numerators{
       return sum < root && root < sum + 0.3125 * vv * vv * vv / (1 - vv) / std::sin(5_deg);
     }};
 
-const Emendation acceleration{"§21, left sides",
-                              {"√(zg), z being cos ½ψ, 1 at the lowest point", 1.0},
-                              {"√(2g)", 2.0},
-                              "g is the height fallen in the first second, half of the acceleration",
-                              [](double acceleration_over_g) { return acceleration_over_g / 2 == 1.0; }};
+const Emendation acceleration{
+    "§21, left sides",
+    {"√(zg), z being cos ½ψ, 1 at the lowest point", 1.0},
+    {"√(2g)", 2.0},
+    "after the time that the array gives, the body must hang straight down, and its acceleration is 2g sin "
+    "ψ",
+    [](double times_g) {
+      if(!(times_g > 0))
+        return false;
+      const double time = swing::quarter_time_from_top(5_deg) / std::sqrt(times_g);
+      const auto falling = [](double psi) { return 2 * std::sin(psi); };  // b = g = 1
+      const pendulum::Place start{5_deg, 0};
+      return pendulum::runge_kutta(start, time, 4000, falling).phi
+             == within(exact::pi(), 1e-9, "the steps' error, grown 8/η-fold");
+    }};
 
 const Emendation logarithm{
     "§21, the first column",
@@ -222,3 +234,75 @@ const Emendation logarithm{
       return swing::quarter_time_from_top(5_deg) - first
              == within(exact::ln2(), 0.005, "terms of the order sin²α");
     }};
+
+/*!
+What is told, at 5°, at 90° and near the top, by the oracle's time and the entries themselves:
+*/
+
+Fifty by_entries(const Fifty& alpha, int rows_kept)  // (2), row by row from the fractions
+{
+  const Fifty x = pow(sin(alpha), 2), log_cot = log((1 + cos(alpha)) / sin(alpha));
+  Fifty sum = 0;
+  for(int m = 0; m < rows_kept; ++m)
+  {
+    sum += static_cast<Fifty>(pow(exact::double_factorial_ratio(m), 2)) * pow(x, m) * log_cot;
+    for(int j = 0; j < m; ++j)
+      sum += static_cast<Fifty>(entry(m, j)) * pow(x, j) * cos(alpha);
+  }
+  return sum;
+}
+
+CHECK_THAT("the time told is the oracle's, and what rows and columns leave out is what they lack of it")
+{
+  for(const Told& now : told_at("", "eta=90 rows=12 columns=4", "eta=1e-200rad rows=3 columns=1"))
+  {
+    const Fifty alpha = swing_.eta.fifty() / 2, K = swing::oracle::K_from_complement(sin(alpha));
+    const double size = static_cast<double>(K);
+    CHECK(now.value("exact") == within_ulps(K, 1, "the library's bound"));
+    CHECK(now.value("rows_short")
+          == within(K - by_entries(alpha, rows), 1e-15 * size, "a rounded difference"));
+    const Fifty factor = swing::oracle::ratio_from_bottom(2 * alpha), x = pow(sin(alpha), 2);
+    Fifty by = factor * log((1 + cos(alpha)) / sin(alpha));
+    const auto sums = pendulum::exact_column_sums(columns);
+    for(int j = 0; j < columns; ++j)
+      by += cos(alpha) * pow(x, j) * sums.at(static_cast<std::size_t>(j)).value();
+    CHECK(now.value("columns_short") == within(K - by, 1.2e-15 * size, "a rounded difference"));
+    CHECK(now.exact("time") == within_relative(K, 1e-45, "two ways of fifty digits"));
+    for(const int k : {5, 100, 1000})
+      CHECK(now.method("time", "rows: " + std::to_string(k))
+            == within_relative(sum_by_rows(alpha, k), 4e-15, "rows of rounded integrals"));
+    CHECK(now.method("time", "rows: 5") == within_relative(by_entries(alpha, 5), 1e-15, "the entries"));
+    for(const int k : {1, 2, 4, 7})
+    {
+      const double most =
+          std::log(2.) * std::pow(std::sin(swing_.eta / 2), 2 * k) / std::cos(swing_.eta / 2);
+      CHECK(now.method("time", "columns: " + std::to_string(k))
+            == between(K - most - 1e-15 * size, K + 1e-15 * size, "no column's sum is above l 2"));
+    }
+    CHECK(now.method("time", "arithmetic-geometric mean")
+          == within_ulps(K, 5, "η rounds, and its own bound"));
+  }
+}
+
+CHECK_THAT("the figure has what rows and columns leave out at 2½° and 30°")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("missing", 5))
+    {
+      const int k = static_cast<int>(point.at("count"));
+      for(const auto& [alpha, of_rows, of_columns] : {std::tuple{2.5_deg, "rows_small", "columns_small"},
+                                                      std::tuple{30_deg, "rows_large", "columns_large"}})
+      {
+        const Fifty a = alpha, K = swing::oracle::K_from_complement(sin(a));
+        if(k < 40)
+          CHECK(point.value(of_rows)
+                == within_relative(K - by_entries(a, k), 1e-6, "a digit or two, and double"));
+        CHECK(point.value(of_rows)
+              == within_relative(1 / (cos(a) * sqrt(exact::pi() * k)), 0.3 / k + 0.1 / k,
+                                 "the law of the rows"));
+        const double most = std::log(2.) * std::pow(std::sin(alpha), 2 * (k - 1)) / std::cos(alpha);
+        CHECK(point.value(of_columns)
+              == between(-1e-46, most + 1e-46, "no column's sum is above l 2; fifty digits"));
+      }
+    }
+}
