@@ -22,7 +22,7 @@ whose sum can be found without difficulty from what {{sec pendulum.22}} has foun
 
 $$ \begin{aligned} l2 - l\left(1+\sqrt{1-vv}\right) = \frac1{2^2}vv &+ \frac{1\cdot3}{2\cdot4^2}v^4
    + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6 \\
-   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8 + \text{etc.} \end{aligned} \tag{2} $$
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8{{entry powers}} + \text{etc.} \end{aligned} \tag{2} $$
 
 In {{eq 1}} the last odd factor is squared as well; a derivative will supply it. He divides by $v$, which
 makes the powers odd,
@@ -39,7 +39,7 @@ $$ -\frac{l2}{vv} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right)
 whose last member is $\frac1{vv\sqrt{1-vv}} - \frac1{vv}$. So the left side, which {{sec pendulum.24}} will
 call $V$, has three parts,
 
-$$ V = -\frac{1+l2}{vv} + \frac1{vv\sqrt{1-vv}} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right). \tag{5} $$
+$$ V = -\frac{1+l2}{vv}{{entry letters}} + \frac1{vv\sqrt{1-vv}} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right). \tag{5} $$
 
 On the right the odd numbers have come above:
 
@@ -167,7 +167,7 @@ CHECK_THAT("V keeps its digits where the parts have lost theirs, and where only 
 }
 
 /*!
-In the scan the series {{eq 2}} has powers one too low; in {{eq 4}} and {{eq 5}} the digit 1 has become the
+In our copy the series {{eq 2}} has powers one too low; in {{eq 4}} and {{eq 5}} the digit 1 has become the
 letter $l$, $l2$ has become $l^2$, and a plus a minus; besides, a line of text stands there twice. The
 readings are tried at $v = \frac12$, the letter $l$ before a fraction being taken as its logarithm.
 */
@@ -195,3 +195,49 @@ const Emendation letters{
     {"−(1 + l 2)/vv + 1/(vv√(1−vv)) + 1/vv l(1+√(1−vv))", three_parts(0.5)},
     "the series (6), at v = ½",
     [](double sum) { return sum == within(by_series(0.5, 60), 4e-15, "three parts, near 6"); }};
+
+/*!
+What is told, in the middle, where the parts are huge, and near 1:
+*/
+
+Fifty V_by_logarithm(const Fifty& x)  // (5) in fifty digits, less the digits that the parts cancel
+{
+  const Fifty xx = x * x, u = sqrt((1 - x) * (1 + x));
+  return (1 / u - 1 + log((1 + u) / 2)) / xx;
+}
+
+CHECK_THAT("the parts told are those of (5), and V is their sum in fifty digits")
+{
+  for(const Told& now : told_at("", "v=1e-8", "v=0.999"))
+  {
+    const Fifty x = v.fifty(), xx = x * x, u = sqrt((1 - x) * (1 + x)), truth = V_by_logarithm(x);
+    const double near_one = 1e-15 + 2e-16 / static_cast<double>(1 - x),
+                 rounded = 3e-16 / static_cast<double>(xx);
+    CHECK(now.value("first")
+          == within_relative(-(1 + exact::ln2()) / xx, 1e-15, "a square and a quotient"));
+    CHECK(now.value("second") == within_relative(1 / (xx * u), near_one, "the root of a rounded v"));
+    CHECK(now.value("third") == within_relative(log(1 + u) / xx, near_one, "the root of a rounded v"));
+    CHECK(now.value("sum")
+          == within(truth, 8 * rounded + near_one / static_cast<double>(u), "three parts, rounded"));
+    CHECK(now.value("V") == within_relative(truth, near_one, "the root of a rounded v"));
+    Fifty series = 0;
+    for(int n = 1; n <= 40; ++n)
+      series +=
+          static_cast<Fifty>(exact::double_factorial_ratio(n) * (2 * n - 1) / (2 * n)) * pow(xx, n - 1);
+    CHECK(now.value("series") == within_relative(series, 1e-14, "forty roundings, all terms positive"));
+  }
+}
+
+CHECK_THAT("the figure's curves are the three parts and V")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("parts", 6))
+    {
+      const Fifty x(point.at("v")), xx = x * x, u = sqrt((1 - x) * (1 + x));
+      CHECK(point.value("first") == within_relative(-(1 + exact::ln2()) / xx, 1e-15, "few roundings"));
+      CHECK(point.value("second") == within_relative(1 / (xx * u), 1e-15, "few roundings"));
+      CHECK(point.value("third")
+            == within(log(1 + u) / xx, 3e-16 / static_cast<double>(xx), "1 + u rounds"));
+      CHECK(point.value("V") == within_relative(V_by_logarithm(x), 2e-15, "few roundings"));
+    }
+}

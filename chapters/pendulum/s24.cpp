@@ -14,7 +14,7 @@ whose left side he calls $V$, has the right factors above; multiplied by $\frac{
 the missing ones below as well,
 
 $$ \begin{aligned} \int\frac{V\,dv}{v} = \frac1{2^2}\,lv &+ \frac{1\cdot3^2}{2^2\cdot4^2}vv
-   + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2}v^4 \\
+   + \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2}{{entry factor}}v^4 \\
    &+ \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2}v^6 + \text{etc.}, \end{aligned} \tag{1} $$
 
 so that the sum is $\int\frac{V\,dv}{v} - \frac14\,lv$ for $v = 1$. It remains to integrate the three parts of
@@ -24,12 +24,12 @@ $$ \int -\frac{dv}{v^3}\,(1 + l2) = \frac{1+l2}{2vv}, \tag{2} $$
 
 and the second
 
-$$ \int\frac{dv}{v^3\sqrt{1-vv}} = -\frac{\sqrt{1-vv}}{2vv} - \tfrac12\,l\left(1+\sqrt{1-vv}\right) +
+$$ \int\frac{dv}{v^3{{entry cubes}}\sqrt{1-vv}} = -\frac{\sqrt{1-vv}}{2vv} - \tfrac12\,l\left(1+\sqrt{1-vv}\right) +
      \tfrac12\,lv. \tag{3} $$
 
 The third he reduces by a well-known rule,
 
-$$ \begin{aligned} \int\frac{dv}{v^3}\,l\left(1+\sqrt{1-vv}\right)
+$$ \begin{aligned} \int\frac{dv}{v^3}{{entry differential}}\,l\left(1+\sqrt{1-vv}\right)
    = &-\frac{1}{2vv}\,l\left(1+\sqrt{1-vv}\right) \\
    &- \tfrac12\int\frac{dv}{v^3}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}. \end{aligned} \tag{4} $$
 
@@ -40,12 +40,12 @@ $-\frac{dv}{v}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}$.
 
 The last integral is {{eq 3}} less that of $\frac{dv}{v^3}$. Therefore the third part is
 
-$$ \begin{aligned} -\frac1{2vv}\,l\left(1+\sqrt{1-vv}\right) &+ \frac{\sqrt{1-vv}}{4vv} \\
+$$ \begin{aligned} -{{entry minus}}\frac1{2vv}\,l\left(1+\sqrt{1-vv}\right) &+ \frac{\sqrt{1-vv}}{4vv} \\
    &+ \tfrac14\,l\left(1+\sqrt{1-vv}\right) - \tfrac14\,lv - \frac1{4vv}, \end{aligned} \tag{5} $$
 
 and all parts together, with a constant still to be found,
 
-$$ \begin{aligned} \tfrac14\,lv + \frac{1+2l2}{4vv} &- \frac{\sqrt{1-vv}}{4vv} \\
+$$ \begin{aligned} \tfrac14\,lv{{entry member}} + \frac{1+2l2}{4vv} &- \frac{\sqrt{1-vv}}{4vv} \\
    &- \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right) + C. \end{aligned} \tag{6} $$
 
 ## The program
@@ -87,7 +87,7 @@ const auto v = real("v", 1.0, none, above_to(1e-10, 1), "the variable; Euler put
 
 TELL
 {
-  const Fifty at(v);
+  const Fifty at = v.fifty();
   tell("part_1", part_1(at), "the first part integrated, (2)");
   tell("part_2", part_2(at), "the second, (3)");
   tell("part_3", part_3(at), "the third, (5)");
@@ -172,7 +172,7 @@ CHECK_THAT("(6) is the sum of the parts, and W but for one and the same constant
 }
 
 /*!
-The scan is at its worst here: it repeats the damage of {{sec pendulum.23}} in the three parts of $V$, and
+Our copy has many slips here: it repeats the damage of {{sec pendulum.23}} in the three parts of $V$, and
 adds wrong powers and signs and a lost member. The readings are tried by quadrature from $v = 0{,}3$ to
 $0{,}6$.
 */
@@ -237,3 +237,49 @@ const Emendation member{
     [](double rise) {
       return rise == within_ulps(area([](const Fifty& y) { return V(y) / y; }), 2, "roundings");
     }};
+
+/*!
+What is told: each part by quadrature from where it stands to 1, where all is elementary; the constant in closed form.
+*/
+
+CHECK_THAT("the parts told are the integrals from a known place, and C is ¼ l 2 − ¼")
+{
+  const auto from = [](const Fifty& x, const std::function<Fifty(const Fifty&, const Fifty&)>& integrand) {
+    const auto by_root = [&](const Fifty& u) {
+      const Fifty y = sqrt((1 - u) * (1 + u));
+      return integrand(y, u) * u / y;  // dv = −u du/v
+    };
+    return integrate(by_root, 0, root_of(x)).value;
+  };
+  for(const Told& now : told_at("", "v=0.25", "v=0.01"))
+  {
+    const Fifty x = v.fifty();
+    const char* const why = "parts of the size of 1/vv";
+    const Fifty first = from(x, [](const Fifty& y, const Fifty&) { return (1 + ln2()) / pow(y, 3); });
+    CHECK(now.value("part_1") == within((1 + ln2()) / 2 + first, 1e-24, why));
+    const Fifty second = from(x, [](const Fifty& y, const Fifty& u) { return 1 / (pow(y, 3) * u); });
+    CHECK(now.value("part_2") == within(-second, 1e-24, why));
+    const Fifty third = from(x, [](const Fifty& y, const Fifty& u) { return log(1 + u) / pow(y, 3); });
+    CHECK(now.value("part_3") == within(Fifty(-0.25) - third, 1e-24, why));
+    Fifty series = 0;
+    for(int n = 1; n <= 60; ++n)
+      series += static_cast<Fifty>(pendulum::entry(n + 1, 1)) * pow(x, 2 * n);
+    const bool all = x == Fifty(1);
+    CHECK(now.value("W") == within(all ? 3 * ln2() / 4 : series, 1e-29, "Euler's sum, or sixty terms"));
+    CHECK(now.value("C") == within(ln2() / 4 - Fifty(0.25), 1e-27, "§26, by an infinitely small v"));
+  }
+}
+
+CHECK_THAT("the figure's curve is (V − ¼)/v, by the series")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("integrand", 7))
+      if(const double x = point.at("v"); x < 0.9)
+      {
+        Fifty series = 0;
+        for(int n = 1; n <= 150; ++n)
+          series += static_cast<Fifty>(pendulum::entry(n + 1, 1)) * (2 * n) * pow(Fifty(x), 2 * n - 1);
+        CHECK(point.value("integrand")
+              == within(series, 3e-14, "v is rounded, and near 0 V is close to ¼"));
+      }
+}

@@ -11,7 +11,7 @@ using pendulum::root_of, pendulum::W;
 The constant of integration has to be found just where every part of the integral is infinite. With that
 constant, {{sec pendulum.24}} has led to
 
-$$ \begin{aligned} \int\frac{V\,dv}{v} - \tfrac14\,lv = C &+ \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv} \\
+$$ \begin{aligned} \int\frac{V\,dv}{v} - \tfrac14\,lv{{entry left}} = C &+ \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv} \\
    &- \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right), \end{aligned} \tag{1} $$
 
 ::: margin
@@ -47,14 +47,14 @@ The infinities can be made to cancel before a number is put in. With $q = \frac1
 one has $1+\sqrt{1-vv} = 2(1-q)$ and $vv = 4q(1-q)$. Then every $l2$ goes out of {{eq 1}}, and what remains
 is finite at $q = 0$:
 
-$$ W = -\frac14 + \frac1{8(1-q)} - \left(\frac14 + \frac1{8q(1-q)}\right) l(1-q). \tag{2} $$
+$$ W = -\frac14 + \frac1{8(1-q)} - \left(\frac14 + \frac1{8q(1-q)}\right) l(1-q). \tag{A} $$
 
 With $-l(1-q) = q + \frac12qq + q\,R$, where $R = \frac13qq + \frac14q^3 + \text{etc.}$, the last cancellation
 goes out too, and all digits are kept however small $v$ is:
 
-$$ W = \frac{q\left(\frac92 - q - qq\right) + R\left(1 + 2q(1-q)\right)}{8(1-q)}. \tag{3} $$
+$$ W = \frac{q\left(\frac92 - q - qq\right) + R\left(1 + 2q(1-q)\right)}{8(1-q)}. \tag{B} $$
 
-::: code pendulum/columns.hpp W (3)
+::: code pendulum/columns.hpp W (B)
 :::
 */
 
@@ -92,15 +92,15 @@ vanishes like $vv$. Below $v = 10^{-4}$ the points show nothing but the rounding
 TELL
 {
   const double w = v;
-  race("W", "W(v)", W(Fifty(w)),
+  race("whole", "W(v)", W(v.fifty()),
        {{"as it stands, (1)", [=] { return as_it_stands(w); }},
-        {"without cancellation, (3)", [=] { return W(w); }}});
+        {"without cancellation, (B)", [=] { return W(w); }}});
 }
 
 /*!
 ## Checks
 
-Fifty digits can bear the infinities: {{eq 1}} as it stands is there the same as {{eq 3}}, and both are the
+Fifty digits can bear the infinities: {{eq 1}} as it stands is there the same as {{eq B}}, and both are the
 series of the third column.
 */
 
@@ -123,7 +123,7 @@ CHECK_THAT("the infinities do destroy each other: (1) vanishes like 9/64 vv")
   CHECK(as_it_stands(y) / (y * y) == within(Fifty(9) / 64, 1e-17, "the next term, 25/384 vv"));
 }
 
-CHECK_THAT("in sixteen digits (1) loses its digits like 1/v⁴, and (3) loses none")
+CHECK_THAT("in sixteen digits (1) loses its digits like 1/v⁴, and (B) loses none")
 {
   for(const double x : {0x1p-6, 0x1p-10, 0x1p-14})
   {
@@ -137,12 +137,63 @@ CHECK_THAT("in sixteen digits (1) loses its digits like 1/v⁴, and (3) loses no
 }
 
 /*!
-Of the left side of {{eq 1}} the scan has kept only the last two letters.
+Of the left side of {{eq 1}} our copy has only the last two letters.
 */
 
 const Emendation left{
     "§25, (1), left side",
     {"l v", std::log(0.6)},
     {"∫V dv/v − ¼ l v", W<double>(0.6)},
-    "the right side, at v = 0,6, with the constant of §26",
-    [](double left) { return left == within(as_it_stands(Fifty(0.6)), 1e-16, "W in double, near 0,06"); }};
+    "the right side, at v = 0.6, with the constant of §26",
+    [](double left) { return left == within(as_it_stands(Fifty(0.6)), 1e-16, "W in double, near 0.06"); }};
+
+/*!
+What is told, by the third column's series, which knows nothing of the infinities:
+*/
+
+Fifty third_column(const Fifty& x)  // Σ entry v²ⁿ; at v = 1 Euler's ¾ l 2
+{
+  if(x == Fifty(1))
+    return 3 * log(Fifty(2)) / 4;
+  Fifty sum = 0;
+  for(int n = 1; n <= 80; ++n)
+    sum += static_cast<Fifty>(pendulum::entry(n + 1, 1)) * pow(x, 2 * n);
+  return sum;
+}
+
+CHECK_THAT("the table has the series in one column, and its ruin in the other")
+{
+  for(const Told& now : told_at("", "v=0.5", "v=1e-9"))
+  {
+    for(const auto& row : now.rows("loss"))
+    {
+      const Fifty x(row.at("v")), truth = third_column(x);
+      const double rounding = 2e-16 / row.at("v") / row.at("v");
+      CHECK(row.value("W") == within_relative(truth, 1.4e-15, "the library's bound"));
+      CHECK(row.value("stands") == within(truth, 1.5 * rounding, "four parts near ½/vv, each rounded"));
+    }
+    const Fifty truth = third_column(v.fifty());
+    CHECK(now.exact("whole") == within_relative(truth, 1e-40, "eighty terms"));
+    CHECK(now.method("whole", "without cancellation, (B)")
+          == within_relative(truth, 2e-15, "the library's bound"));
+    CHECK(now.method("whole", "as it stands, (1)")
+          == within(truth, 3e-16 / v / v, "four parts, each rounded"));
+  }
+}
+
+CHECK_THAT("the figure has the greatest part, the sum as it stands, and W")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("parts", 12))
+    {
+      const Fifty x(point.at("v")), part = (1 + 2 * exact::ln2()) / (4 * x * x);
+      CHECK(point.value("part") == within_relative(part, 1e-15, "a square and a quotient"));
+      if(x < Fifty(0.6))
+      {
+        const double rounding = 5e-16 * static_cast<double>(part);
+        CHECK(point.value("W") == within_relative(third_column(x), 2e-15, "the library's bound"));
+        CHECK(point.value("stands")
+              == between(third_column(x) - rounding, third_column(x) + rounding, "rounding"));
+      }
+    }
+}
