@@ -12,5 +12,5 @@ set label "2½°" at 5.3, 1e-14 left textcolor linetype 1
 set label "10°" at 9.5, 1e-14 left textcolor linetype 1
 set label "30°" at 20, 2e-12 left textcolor linetype 1
 set label "α = 45°" at 25, 3e-8 left textcolor linetype 1
-f = tsv("pendulum-28.missing")
+f = tsv("pendulum-28.lacking")
 plot for [i = 2:5] f using 1:i with linespoints linetype 1 pointsize 0.35

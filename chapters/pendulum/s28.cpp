@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "pendulum/columns.hpp"
+#include "swing/oracle.hpp"
 
 SECTION(pendulum, 28, "The fourth column, a conjecture, and all the others")
 
@@ -17,48 +18,59 @@ safely be neglected. Besides, it seems to him quite probable that the coefficien
 
 $$ \beta\; l2, \tag{1} $$
 
-where β is a fraction less than ¾. With all this he is ready for a problem that would otherwise be most
+where β is a fraction less than ¾ {{entry limit}}. With all this he is ready for a problem that would otherwise be most
 difficult. A pendulum swings about its axis $A$ through arcs that fall little short of 180° on the way up as
 on the way down; how long does each swing take? The solution begins in {{sec pendulum.29}}.
 
 ## The program
 
 All columns can be summed at once. Let $x = \sin^2\alpha$, $L = l\cot\frac12\alpha$ and $u = \cos\alpha$; the
-array says that the time of the descent, in the unit $\sqrt b/\sqrt{2g}$, is
+array says that the time of the descent, counted in units of $\sqrt b/\sqrt{2g}$, is
 
-$$ K = L\,P(x) + u\,S(x), \qquad P = \sum a_n^2\, x^n, \qquad S = \sum S_j\,x^j, \tag{2} $$
+$$ K = L\,P(x) + u\,S(x), \qquad P = \sum a_n^2\, x^n, \qquad S = \sum S_j\,x^j, \tag{A} $$
 
 where $a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots2n}$, and $S_0 = l2$ and $S_1 = \frac34l2$ are known from
 {{sec pendulum.22}} and {{sec pendulum.27}}. Now $K$ and $P$ both satisfy one equation,
-$4\frac{d}{dx}\left(x(1-x)\frac{dy}{dx}\right) = y$. When {{eq 2}} is put into it, the logarithm drops out,
-and what is left ties each column's sum to the two before it:
+$4\frac{d}{dx}\left(x(1-x)\frac{dy}{dx}\right) = y$. When {{eq A}} is put into it, the logarithm itself has the factor that makes
+$P$ vanish, and drops out. What its derivative leaves, $\frac{dL}{dx} = -\frac1{2xu}$, and $\frac{du}{dx} = -\frac1{2u}$ turn the
+rest, multiplied by $u$, into
 
-$$ (j+1)^2 S_{j+1} = \left(2j^2 + 2j + \tfrac34\right) S_j - j^2 S_{j-1} - \frac{j\,a_j^2}{4(j+1)}. \tag{3} $$
+$$ 4(1-x)^2\left(S' + x\,S''\right) - 8x(1-x)\,S' - (3-4x)\,S = 4(1-x)\,P' - P, \tag{G} $$
+
+and the power $x^j$ of {{eq G}}, with $4(j+1)^2a_{j+1}^2 = (2j+1)^2a_j^2$, ties each column's sum to the two before it:
+
+$$ (j+1)^2 S_{j+1} = \left(2j^2 + 2j + \tfrac34\right) S_j - j^2 S_{j-1} - \frac{j\,a_j^2}{4(j+1)}. \tag{B} $$
 
 ::: margin
 Today: the equation of $K(k)$ with $k^2 = 1 - x$, symmetrical in $x$ and $1 - x$. $P$ is
 $\frac2\pi K(\sin\alpha)$.
 :::
 
-::: code pendulum/columns.hpp column_sums (3)
+::: code pendulum/columns.hpp column_sums (B)
 :::
 
-In exact fractions, {{eq 3}} gives every sum in the form
+In exact fractions, {{eq B}} gives every sum in the form
 
-$$ S_j = \beta_j\, l2 - \rho_j. \tag{4} $$
+$$ S_j = \beta_j\, l2 - \rho_j. \tag{C} $$
 */
 
-Fifty K(const Fifty& alpha)  // (2), by the mean of Gauss
+Fifty K(const Fifty& alpha)  // (A), by the mean of Gauss
 {
   return ratio_by_mean(2 * alpha) * exact::pi() / 2;
 }
 
-const auto swing_ = amplitude_from_top(5_deg);
+const auto swing_ = amplitude_from_top(5_deg, from_below(90_deg, 180_deg));
 const auto columns = integer("columns", 7, 1, 200, "columns that are summed, beside the logarithmic one");
+
+double beyond(int J)  // what J columns leave out of K; nothing, where fifty digits cannot tell
+{
+  const Fifty alpha = swing_.eta.fifty() / 2, whole = K(alpha), left = whole - sum_by_columns(alpha, J);
+  return abs(left) < Fifty("1e-46") * whole ? 0 : static_cast<double>(left);
+}
 
 TELL
 {
-  auto& sums = table("sums", "The sums of the columns, (4).",
+  auto& sums = table("sums", "The sums of the columns, (C).",
                      {{"j", "j"}, {"beta", "β"}, {"rho", "ρ"}, {"S", "β l 2 − ρ", none, 15}});
   const auto S = exact_column_sums(columns);
   for(std::size_t j = 0; j < S.size() && j < 12; ++j)  // the fractions of the later ones fill lines
@@ -69,28 +81,31 @@ TELL
   tell("S2", fourth.value(), "the sum of the fourth column");
   const Fifty alpha = swing_.eta.fifty() / 2;
   tell("K", static_cast<double>(K(alpha)), "t√(2g/b)");
-  tell("missing", static_cast<double>(K(alpha) - sum_by_columns(alpha, columns)),
-       "what the columns leave out");
+  tell("missing", beyond(columns), "what the columns leave out, as far as fifty digits tell", 6);
 }
 
 /*!
-The sums $S_j$ fall and their quotients rise, so that after $J$ columns what is missing is caught between
+The terms of $S_j$ are $\frac{a_{i+j}^2}{2i\,a_i}$, with $i$ from 1. When $j$ grows by one, each is multiplied by
+$\left(\frac{2i+2j+1}{2i+2j+2}\right)^2$, which is less than 1 and rises with $j$. So the sums fall, and since sequences
+whose quotients rise keep that property when they are added, the quotients of the sums rise. After $J$ columns what is missing is
+therefore caught between
 
-$$ \frac{u\,S_J\,x^J}{1 - x\,S_{J+1}/S_J} \quad\text{and}\quad \frac{S_J\,x^J}{u}. \tag{5} $$
+$$ \frac{u\,S_J\,x^J}{1 - x\,S_{J+1}/S_J} \quad\text{and}\quad \frac{S_J\,x^J}{u}. \tag{D} $$
 
 The same equation even lets the whole array collapse into one column, when the logarithm is not taken of
-$\cot\frac12\alpha$ but of $\frac4{\sin\alpha}$:
+$\cot\frac12\alpha$ but of $\frac4{\sin\alpha}$, whose derivative is $-\frac1{2x}$. With $K = P\,l\frac4{\sin\alpha} - \sum
+a_n^2r_nx^n$ the power $x^n$ of the equation says $r_{n+1} - r_n = \frac{2}{(2n+1)(2n+2)}$, and $r_0 = 0$ because $S_0 = l2$:
 
 $$ \begin{gathered} K = \sum a_n^2\,x^n\left(l\,\frac4{\sin\alpha} - r_n\right), \\
-   r_n = \frac2{1\cdot2} + \frac2{3\cdot4} + \cdots + \frac2{(2n-1)\,2n}. \end{gathered} \tag{6} $$
+   r_n = \frac2{1\cdot2} + \frac2{3\cdot4} + \cdots + \frac2{(2n-1)\,2n}. \end{gathered} \tag{E} $$
 
-::: code pendulum/columns.hpp sum_with_one_logarithm (6)
+::: code pendulum/columns.hpp sum_with_one_logarithm (E)
 :::
 */
 
 TELL
 {
-  curve("missing", {"columns", "a2", "a10", "a30", "a45"}, [](Curve& c) {
+  curve("lacking", {"columns", "a2", "a10", "a30", "a45"}, [](Curve& c) {
     for(int J = 0; J <= 30; ++J)
     {
       std::vector<double> row{1.0 * J};
@@ -129,10 +144,10 @@ TELL
     ways.push_back({"columns: " + std::to_string(J), [=] { return sum_by_columns(alpha, J); }, "columns"});
   for(const int n : {1, 2, 4, 6})
     ways.push_back(
-        {"(6), terms: " + std::to_string(n), [=] { return sum_with_one_logarithm(alpha, n); }, "one"});
+        {"(E), terms: " + std::to_string(n), [=] { return sum_with_one_logarithm(alpha, n); }, "one"});
   ways.push_back(
       {"arithmetic-geometric mean", [=] { return ratio_by_mean(2 * alpha) * std::numbers::pi / 2; }});
-  race("K", "t√(2g/b)", K(alpha), ways);
+  race("descent", "t√(2g/b)", K(swing_.eta.fifty() / 2), ways);
 }
 
 /*!
@@ -142,18 +157,18 @@ First the conjecture. The sum needs no equation and no new device: the fourth co
 those of the second, which sum to $l2$, and differences that cancel from term to term,
 
 $$ \begin{gathered} \frac{a_{n+2}^2}{2n\,a_n} = \frac{41}{64}\cdot\frac{a_n}{2n} + d_n - d_{n+1}, \\
-   d_n = \frac{23n^3 + 11n^2 - 22n - 16}{64\,n\,(n+1)^2}\,a_n. \end{gathered} \tag{7} $$
+   d_n = \frac{23n^3 + 11n^2 - 22n - 16}{64\,n\,(n+1)^2}\,a_n. \end{gathered} \tag{F} $$
 
 The differences add up to $d_1 = -\frac1{128}$, since $d_n$ vanishes in the end, with $a_n$.
 */
 
-Rational d(int n)  // (7)
+Rational d(int n)  // (F)
 {
   const Rational numerator = ((Rational(23) * n + 11) * n - 22) * n - 16;
   return numerator / (Rational(64) * n * (n + 1) * (n + 1)) * double_factorial_ratio(n);
 }
 
-CHECK_THAT("a term of the fourth column is as (7) has it, exactly, and its differences leave −1/128")
+CHECK_THAT("a term of the fourth column is as (F) has it, exactly, and its differences leave −1/128")
 {
   for(int n = 1; n <= 40; ++n)
     CHECK(pendulum::entry(n + 2, 2)
@@ -164,37 +179,34 @@ CHECK_THAT("a term of the fourth column is as (7) has it, exactly, and its diffe
 }
 
 /*!
-Forty values of $n$ prove {{eq 7}} for all, since both sides, times $n(n+1)^2(n+2)^2/a_n$, are polynomials of
+Forty values of $n$ prove {{eq F}} for all, since both sides, times $n(n+1)^2(n+2)^2/a_n$, are polynomials of
 the fifth degree at most. Now were $S_2 = \beta\,l2$ with a fraction β, then
-$l2 = \frac1{128}\big/\left(\frac{41}{64} - \beta\right)$ would be a fraction too. The scan, besides, has
-taken the limit for β down to ¼, like the sum in {{sec pendulum.27}}.
+$l2 = \frac1{128}\big/\left(\frac{41}{64} - \beta\right)$ would be a fraction too, which it is not. So the conjecture is
+refuted; a slip it was not, for he only found it probable. Our copy has ¼ for the limit of β, as it has for the sum in {{sec
+pendulum.27}}, where ¾ is certain. What a man held to be probable cannot be restored from what is true.
 */
 
-const Erratum form{
-    "§28, the conjecture on the fourth column",
-    {"β l 2, nothing taken away", 0.0},
-    {"β l 2 − 1/128, with β = 41/64", 1.0 / 128},
-    "the differences (7) sum to a fraction, which β l 2 cannot take up, l 2 being irrational",
-    [](double taken_away) {
-      Rational sum = 0;  // of the differences, term by term, to within d₆₁
-      for(int n = 1; n <= 60; ++n)
-        sum += pendulum::entry(n + 2, 2) - Rational(41, 64) * double_factorial_ratio(n) / (2 * n);
-      return Rational::exactly(-taken_away) - sum == d(61);
-    }};
+CHECK_THAT("the differences (F), term by term, sum to −1/128 but for the last of them")
+{
+  Rational sum = 0;
+  for(int n = 1; n <= 60; ++n)
+    sum += pendulum::entry(n + 2, 2) - Rational(41, 64) * double_factorial_ratio(n) / (2 * n);
+  CHECK(sum == Rational(-1, 128) - d(61));
+}
 
-const Emendation limit{
+const Undecided limit{
     "§28, β less than",
     {"¼", 0.25},
-    {"¾", 0.75},
-    "§27 has found ¾ for the third column, and the fourth sums to 0,63 l 2",
-    [](double bound) { return exact_column_sums(3)[2].value() < Fifty(bound) * exact::ln2(); }};
+    {"¾, as in §27", 0.75},
+    "either may have been guessed: a column's sum is positive and less than that of the second, l 2",
+    [](double bound) { return bound > 0 && bound < 1; }};
 
 /*!
 Then the others. Added to the logarithmic column they must make the time, and what is left out must lie
 between the bounds.
 */
 
-CHECK_THAT("all columns with the logarithmic one are the time, and so is the one column (6)")
+CHECK_THAT("all columns with the logarithmic one are the time, and so is the one column (E)")
 {
   for(const double alpha : {1e-300, 1_deg, 30_deg, 60_deg})
   {
@@ -203,7 +215,7 @@ CHECK_THAT("all columns with the logarithmic one are the time, and so is the one
   }
 }
 
-CHECK_THAT("what J columns leave out lies between the bounds (5)")
+CHECK_THAT("what J columns leave out lies between the bounds (D)")
 {
   const auto S = column_sums<Fifty>(11);
   for(const double alpha : {1_deg, 10_deg, 30_deg, 60_deg, 75_deg})
@@ -214,6 +226,73 @@ CHECK_THAT("what J columns leave out lies between the bounds (5)")
       const Fifty x = 1 - u * u;
       const Fifty part = S[J] * pow(x, static_cast<int>(J));
       CHECK(K(alpha) - sum_by_columns(Fifty(alpha), static_cast<int>(J))
-            == between(part * u / (1 - x * S[J + 1] / S[J]), part / u, "(5)"));
+            == between(part * u / (1 - x * S[J + 1] / S[J]), part / u, "(D)"));
     }
+}
+
+/*!
+What is told, and what the figure shows, once more from other sources: the sums from the entries of the array, by Euler's
+logarithm and the bound of {{eq D}}.
+*/
+
+CHECK_THAT("the sums told are β l 2 − ρ with the fractions of the recurrence, and the first are Euler's")
+{
+  for(const Told& now : told_at("", "eta=1e-100rad columns=3", "eta=90 columns=12"))
+  {
+    const auto rows = now.rows("sums");
+    for(std::size_t j = 0; j < rows.size(); ++j)
+    {
+      CHECK(rows[j].value("j") == within(Fifty(static_cast<int>(j)), 0, "a count"));
+      const Rational beta(rows[j].words("beta").c_str()), rho(rows[j].words("rho").c_str());
+      const Fifty S = Fifty(beta) * exact::ln2() - Fifty(rho);
+      CHECK(rows[j].value("S") == within_relative(S, 2e-16, "rounded to a double"));
+      Fifty some = 0;
+      for(int n = 1; n <= 40; ++n)
+        some += static_cast<Fifty>(pendulum::entry(n + static_cast<int>(j), static_cast<int>(j)));
+      CHECK(S - some
+            == between(0, Fifty(double_factorial_ratio(40)), "the entries are less than those of l 2"));
+    }
+    CHECK(now.value("beta") == Rational(41, 64));
+    CHECK(now.value("rho") == Rational(1, 128));
+    CHECK(now.value("S2")
+          == within(Fifty(41) / 64 * log(Fifty(2)) - Fifty(1) / 128, 1e-28, "as told, 30 digits"));
+    const Fifty alpha = swing_.eta.fifty() / 2, truth = swing::oracle::K_from_complement(sin(alpha));
+    CHECK(now.value("K") == within_relative(truth, 2e-16, "rounded to a double"));
+    const Fifty x = pow(sin(alpha), 2),
+                most = log(Fifty(2)) * pow(x, static_cast<int>(columns)) / cos(alpha);
+    CHECK(now.value("missing") == between(0, most, "no column's sum is above l 2"));
+  }
+}
+
+CHECK_THAT("the ways of the race leave out what their bounds allow, and the figure's lines too")
+{
+  for(const Told& now : told_at("", "eta=1e-100rad columns=3", "eta=90 columns=12"))
+  {
+    const Fifty alpha = swing_.eta.fifty() / 2, truth = swing::oracle::K_from_complement(sin(alpha));
+    const double x = std::pow(std::sin(swing_.eta / 2), 2), size = static_cast<double>(truth);
+    CHECK(now.exact("descent") == within_relative(truth, 1e-45, "two ways of fifty digits"));
+    for(const int J : {0, 2, 4, 6})
+      CHECK(now.method("descent", "columns: " + std::to_string(J))
+            == between(truth - std::log(2.) * std::pow(x, J) / std::sqrt(1 - x) - 1e-15 * size,
+                       truth + 1e-15 * size, "(D)"));
+    for(const int n : {1, 2, 4, 6})
+      CHECK(now.method("descent", "(E), terms: " + std::to_string(n))
+            == between(truth - std::pow(x, n) * size - 1e-15 * size, truth + 1e-15 * size,
+                       "the terms fall like x"));
+    CHECK(now.method("descent", "arithmetic-geometric mean")
+          == within_ulps(truth, 5, "η rounds, and its own bound"));
+  }
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("lacking", 4))
+      for(const auto& [column, degree] :
+          {std::pair{"a2", 2.5}, std::pair{"a10", 10.}, std::pair{"a30", 30.}, std::pair{"a45", 45.}})
+      {
+        const Fifty alpha = degree * exact::pi() / 180, x = pow(sin(alpha), 2),
+                    truth = swing::oracle::K_from_complement(sin(alpha));
+        const int J = static_cast<int>(point.at("columns"));
+        const auto S = exact_column_sums(J + 1);
+        const Fifty least = S.back().value() * pow(x, J) * cos(alpha) / truth,
+                    most = S.back().value() * pow(x, J) / cos(alpha) / truth;
+        CHECK(point.value(column) == between(least - Fifty(1e-15), most + Fifty(1e-15), "(D); α rounds"));
+      }
 }

@@ -211,7 +211,7 @@ CHECK_THAT("the three members fall short of K(cos α) by what the later columns 
     const Fifty x = pow(sin(alpha), 2);
     const Fifty missing = ratio_by_mean(2 * alpha) * exact::pi() / 2 - three_members(alpha, 200).sum();
     const Fifty least = S[2] * cos(alpha) / (1 - x * S[3] / S[2]);
-    CHECK(missing / (x * x) == between(least, S[2] / cos(alpha), "the bounds (5) of §28"));
+    CHECK(missing / (x * x) == between(least, S[2] / cos(alpha), "the bounds (D) of §28"));
   }
 }
 

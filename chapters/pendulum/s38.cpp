@@ -16,14 +16,14 @@ attention, because it cannot be solved without devices of its own, both in the c
 integrations. And the summation of the fourth and later columns, which he had to pass over here, may give
 geometers an occasion to carry this fine part of analysis further.
 
-The invitation can be accepted. All the columns have sums, and {{eq pendulum.28 3}} gives them, each from the
+The invitation can be accepted. All the columns have sums, and {{eq pendulum.28 B}} gives them, each from the
 two before it. With them the method of the supplement is complete, and the gap of {{sec pendulum.37}} is
 closed.
 
 ## The program
 
 With $x = \sin^2\alpha$, what $J$ columns beside the logarithmic one leave out is less than $S_J
-x^J/\cos\alpha$ ({{eq pendulum.28 5}}), and none of the sums $S_J$ is greater than the first, $l2$. So the
+x^J/\cos\alpha$ ({{eq pendulum.28 D}}), and none of the sums $S_J$ is greater than the first, $l2$. So the
 program knows beforehand how many bring what is left out below $10^{-16}$ of the time.
 */
 
