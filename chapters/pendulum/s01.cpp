@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 1, "Two corrections")
@@ -28,7 +29,7 @@ the distance of the centre of gravity from the axis, and $k$, the radius of gyra
 $b = a + kk/a$ ({{sec pendulum.06}}); $g$, the height fallen in the first second ({{sec pendulum.05}});
 $\Theta$, the time of an infinitely small swing ({{sec pendulum.10}}). Then
 
-$$ T \;=\; \frac{\pi\sqrt a}{\sqrt{2g}} \;\times\; \sqrt{\frac ba} \;\times\; \frac T\Theta . \tag{1} $$
+$$ T \;=\; \frac{\pi\sqrt a}{\sqrt{2g}} \;\times\; \sqrt{\frac ba} \;\times\; \frac T\Theta . \tag{A} $$
 
 ::: margin
 Today: $T = \pi\sqrt{\ell/g}\cdot\frac2\pi K(\sin\frac12\zeta)$, with $g$ for Euler's $2g$ and $\ell$ for his
@@ -44,18 +45,18 @@ Each correction is computed as its excess over 1. Both may be very small, so nei
 from something near it: with $q = k/a$, the first, $\sqrt{1+qq}-1$, is $qq/(1+\sqrt{1+qq})$.
 */
 
-double naive_time(double a, double g)  // (1), first factor
+double naive_time(double a, double g)  // (A), first factor
 {
-  return std::numbers::pi * std::sqrt(a) / std::sqrt(2 * g);
+  return std::numbers::pi * (std::sqrt(a) / std::sqrt(2 * g));
 }
 
-double for_the_body(double a, double k)  // (1), second factor, less 1
+double for_the_body(double a, double k)  // (A), second factor, less 1
 {
   const double q = k / a;
   return q * (q / (1 + std::hypot(1, q)));
 }
 
-double time_of_swing(Amplitude to, double a, double k, double g)  // (1)
+double time_of_swing(Amplitude to, double a, double k, double g)  // (A)
 {
   return naive_time(a, g) * (1 + for_the_body(a, k)) * (1 + swing::ratio_excess(to));
 }
@@ -66,9 +67,9 @@ swinging 20° to each side.
 */
 
 const auto swing_ = amplitude(20_deg, from_below(0_deg, 180_deg));
-const auto a = real("a", 0.5, metres, positive, "distance AG of the centre of gravity from the axis");
-const auto k = real("k", std::sqrt(1.0 / 12), metres, nonnegative, "radius of gyration about G");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second");
+const auto a = real("a", 0.5, metres, scale, "distance AG of the centre of gravity from the axis");
+const auto k = real("k", std::sqrt(1.0 / 12), metres, closed(0, 1e100), "radius of gyration about G");
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second");
 
 TELL
 {
@@ -104,7 +105,7 @@ for the arc is the same for all bodies, and slight as long as the arc is moderat
 ## Checks
 
 The equation of {{sec pendulum.05}} is integrated for three bodies, from rest at ζ through half of the time
-{{eq 1}}. The body must then stand at its lowest point. Neither $b$ nor $T/\Theta$ enters the integration.
+{{eq A}}. The body must then stand at its lowest point. Neither $b$ nor $T/\Theta$ enters the integration.
 */
 
 CHECK_THAT("with both corrections as factors, the time is that of the body's own motion")
@@ -116,9 +117,9 @@ CHECK_THAT("with both corrections as factors, the time is that of the body's own
         return exact::State{y[1], -2 * Fifty(4.9) * 0.5 * sin(y[0]) / (0.25 + Fifty(radius) * radius)};
       };
       const Fifty half = Fifty(time_of_swing(Amplitude::from_zeta(zeta), 0.5, radius, 4.9)) / 2;
-      CHECK(
-          exact::solve(motion, 0, {Fifty(zeta), Fifty(0)}, half, Fifty("1e-18")).y[0]
-          == within(0, 3e-15, "½T is good to 3 ulp; in it the body could turn through 5.4 at full speed"));
+      CHECK(exact::solve(motion, 0, {Fifty(zeta), Fifty(0)}, half, Fifty("1e-18")).y[0]
+            == within(0, 3e-15,
+                      "½T is good to 3 ulp; in it the body could turn through 5.4 rad at full speed"));
     }
 }
 
@@ -128,6 +129,38 @@ CHECK_THAT("neither correction loses its digits when it is too small to change 1
   CHECK(swing::ratio_excess(Amplitude::from_zeta(1e-8))
         == within_ulps(zeta * zeta / 16, 3, "a few operations; the next term is 10⁻¹⁶ of it"));
   CHECK(for_the_body(1, 1e-9) == within_ulps(q * q / 2, 2, "two roundings; the next term is 10⁻¹⁸ of it"));
+}
+
+/*!
+The numbers told, for the rod and for two others, one of them hardly a body and hardly a swing:
+*/
+
+CHECK_THAT("the corrections told are those of the body's b and of the swing's own time, and the times "
+           "their products")
+{
+  for(const Told& now : told_at("", "zeta=150 a=2 k=3", "zeta=1e-6 a=1 k=1e-7 g=16"))
+  {
+    const Fifty q = k.fifty() / a.fifty(), body = sqrt(1 + q * q) - 1,
+                arc = swing::oracle::ratio_excess(swing_.zeta.fifty());
+    const Fifty naive = exact::pi() * sqrt(a.fifty() / (2 * g.fifty()));
+    CHECK(now.value("naive", seconds) == within_relative(naive, 6e-16, "two roots, a quotient, a product"));
+    CHECK(now.value("body", percent) == within_relative(body, 1e-15, "no difference is taken"));
+    CHECK(now.value("arc", percent) == within_relative(arc, 1e-15, "the library's bound"));
+    CHECK(now.value("T", seconds)
+          == within_relative(naive * (1 + body) * (1 + arc), 1e-15, "and two products"));
+  }
+}
+
+CHECK_THAT("the figure's lines are the two corrections, in percent")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("corrections", 7))
+    {
+      const Fifty q = k.fifty() / a.fifty(), zeta = Fifty(point.at("zeta")) * exact::pi() / 180;
+      CHECK(point.value("body") == within_relative(100 * (sqrt(1 + q * q) - 1), 1e-15, "few roundings"));
+      const Fifty arc = 100 * (swing::oracle::ratio_from_bottom(zeta) - 1);
+      CHECK(point.value("arc") == within_relative(arc, 2e-15, "ζ in radians rounds"));
+    }
 }
 
 /*!

@@ -2,6 +2,7 @@
 #include "exact/quadrature.hpp"
 #include "pendulum/plate.hpp"
 #include "pendulum/series.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 2, "The figure, and the time that is sought")
@@ -39,7 +40,7 @@ divided evenly not in $\Phi$ but in an angle $\varphi$ with $\Phi = \zeta\cos\va
 one side through 90° at the lowest point to 180° on the other. The element of time becomes
 
 $$ \frac{d\varphi}{\sqrt{S(\zeta\cos^2\tfrac12\varphi)\;S(\zeta\sin^2\tfrac12\varphi)}},
-   \qquad S(x) = \frac{\sin x}x . \tag{2} $$
+   \qquad S(x) = \frac{\sin x}x . \tag{A} $$
 
 It is finite everywhere, nothing cancels in it however small the swing, and it is the same at $\varphi$ and at
 $180°-\varphi$, where the two factors change places: that is {{eq 1}}. The sum takes each of $n$ equal parts
@@ -55,15 +56,20 @@ double time_between(double from, double to, double zeta, int n)  // φ from `fro
   for(int i = 0; i < n; ++i)
   {
     const double half = (from + (i + 0.5) * part) / 2, c = std::cos(half), s = std::sin(half);
-    sum += part / std::sqrt(S(zeta * c * c) * S(zeta * s * s));  // (2)
+    sum += part / std::sqrt(S(zeta * c * c) * S(zeta * s * s));  // (A)
   }
   return sum;
 }
 
 const auto swing_ = amplitude(40_deg, from_below(0_deg, 180_deg));
-const auto b = real("b", 1.0, metres, positive, "length of the simple pendulum that swings alike");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second");
+const auto b = real("b", 1.0, metres, scale, "length of the simple pendulum that swings alike");
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second");
 const auto n = integer("n", 2, 1, 100'000, "parts into which each half of the swing is cut");
+
+double error_of(double time, double exact)
+{
+  return (time - exact) / exact;
+}
 
 TELL
 {
@@ -72,7 +78,7 @@ TELL
   const double exact = swing::quarter_time({swing_.zeta, swing_.eta});
   tell("t", unit * down, seconds, "from AG down to AB");
   tell("T", unit * time_between(0_deg, 180_deg, swing_.zeta, 2 * n), seconds, "one oscillation");
-  tell("error", down / exact - 1, "the relative error of t, from so few parts");
+  tell("error", error_of(down, exact), "the relative error of t, from so few parts", 3);
 }
 
 TELL
@@ -127,7 +133,7 @@ TELL
     ways.push_back({std::to_string(parts) + " equal parts of φ",
                     [=] { return time_between(0_deg, 90_deg, zeta, parts); }, "φ"});
   ways.push_back({"this edition", [=] { return swing::quarter_time({zeta, eta}); }});
-  race("t", "t√(2g)/√b", exact::pi() / 2 * ratio_by_mean(swing_.eta.fifty()), ways);
+  race("descent", "t√(2g)/√b", exact::pi() / 2 * ratio_by_mean(swing_.eta.fifty()), ways);
 }
 
 /*!
@@ -164,4 +170,82 @@ CHECK_THAT("twice as many parts of φ give twice as many digits; in Φ the error
   CHECK(digits(8) / digits(4) == within(2, 0.05, "the same, down to 10⁻¹³"));
   CHECK(error(in_equal_angles(150_deg, 400)) / error(in_equal_angles(150_deg, 100))
         == within(0.5, 0.001, "the next order is smaller by 1/n"));
+}
+
+/*!
+What is told: the sum of two parts once more in fifty digits, and the time itself.
+*/
+
+Fifty of_parts(const Fifty& zeta, int parts)  // (A) at the middles of equal parts of φ, to 90°
+{
+  const auto S = [](const Fifty& x) { return x == Fifty(0) ? Fifty(1) : sin(x) / x; };
+  Fifty sum = 0;
+  for(int i = 0; i < parts; ++i)
+  {
+    const Fifty phi = (Fifty(i) + Fifty(0.5)) * exact::pi() / (2 * parts);
+    sum += 1 / sqrt(S(zeta * (1 + cos(phi)) / 2) * S(zeta * (1 - cos(phi)) / 2));
+  }
+  return sum * exact::pi() / (2 * parts);
+}
+
+CHECK_THAT(
+    "the times told are the sum over equal parts, twice that for both halves, and the error is its error")
+{
+  for(const Told& now : told_at("", "zeta=150 n=5 b=2", "zeta=1e-100 n=1 g=1e90", "zeta=90 n=20"))
+  {
+    const Fifty zeta = swing_.zeta.fifty(), unit = sqrt(b.fifty() / (2 * g.fifty())),
+                sum = of_parts(zeta, n);
+    const Fifty truth = exact::pi() / 2 * swing::oracle::ratio_from_bottom(zeta);
+    CHECK(now.value("t", seconds) == within_relative(unit * sum, 1.5e-15, "a few roundings a part"));
+    CHECK(now.value("T", seconds) == within_relative(2 * unit * sum, 1.5e-15, "a few roundings a part"));
+    CHECK(now.value("error") == within(sum / truth - 1, 1e-15, "a difference of rounded numbers"));
+  }
+}
+
+CHECK_THAT("every way of the race is the sum that it says it is")
+{
+  for(const Told& now : told_at("", "zeta=150", "zeta=1"))
+  {
+    const Fifty zeta = swing_.zeta.fifty(),
+                truth = exact::pi() / 2 * swing::oracle::ratio_from_bottom(zeta);
+    CHECK(now.exact("descent") == within_relative(truth, 1e-40, "two ways of fifty digits"));
+    for(const int parts : {4, 16, 64, 256})
+    {
+      Fifty sum = 0;
+      for(int i = 0; i < parts; ++i)
+      {
+        const Fifty Phi = zeta * (Fifty(i) + Fifty(0.5)) / parts;
+        sum += zeta / parts / (2 * sqrt(sin((zeta + Phi) / 2) * sin((zeta - Phi) / 2)));
+      }
+      const double lost = 1e-15 + 2e-14 / swing_.zeta / swing_.zeta;
+      CHECK(now.method("descent", std::to_string(parts) + " equal parts of Φ")
+            == within_relative(sum, lost, "the difference of the cosines near the end"));
+    }
+    for(const int parts : {2, 4, 8})
+      CHECK(now.method("descent", std::to_string(parts) + " equal parts of φ")
+            == within_relative(of_parts(zeta, parts), 1e-15, "few roundings a part"));
+    CHECK(now.method("descent", "this edition")
+          == within_ulps(truth, 1, "ζ rounds, and the library's bound"));
+  }
+}
+
+CHECK_THAT("the plate has B below A, G at the distance 1 and at the angle ζ, and arcs about A")
+{
+  for(const Told& now : told_at("", "zeta=150"))
+  {
+    const auto points = now.points("fig_1");
+    const auto is_at = [&](std::size_t i, const Fifty& x, const Fifty& y) {
+      CHECK(points.at(i).value("x") == within(x, 3e-16, "a rounded sine"));
+      CHECK(points.at(i).value("y") == within(y, 3e-16, "a rounded cosine"));
+    };
+    const Fifty s = sin(swing_.zeta.fifty()), c = cos(swing_.zeta.fifty());
+    is_at(0, 0, 0);
+    is_at(1, 0, -1);
+    is_at(3, s, -c);
+    is_at(5, -s, -c);
+    is_at(7, s, -c - Fifty("0.22"));
+    is_at(8, -s, -c);
+    is_at(108, s, -c);
+    is_at(points.size() - 1, Fifty("0.28") * s, -Fifty("0.28") * c);
+  }
 }

@@ -59,15 +59,20 @@ Elements rod(double length, double a, double M, int n)  // along AG, its middle 
   return pieces;
 }
 
-const auto L = real("L", 1.0, metres, positive, "length of the rod");
-const auto a = real("a", 0.5, metres, positive, "distance AG of its middle from the axis");
-const auto M = real("M", 1.0, Unit{"kg"}, positive, "its mass");
+double radius_of_rod(double length)
+{
+  return length / std::sqrt(12);
+}
+
+const auto L = real("L", 1.0, metres, scale, "length of the rod");
+const auto a = real("a", 0.5, metres, scale, "distance AG of its middle from the axis");
+const auto M = real("M", 1.0, kilograms, scale, "its mass");
 const auto n = integer("n", 10, 1, 10'000, "pieces into which it is cut");
 
 TELL
 {
   const Elements pieces = rod(L, a, M, n);
-  const double k = L / std::sqrt(12);
+  const double k = radius_of_rod(L);
   tell("k", k, metres, "the rod's radius of gyration, L/√12");
   tell("k_of_pieces", body_of(pieces).k, metres, "that of its n pieces");  // (1)
   tell("about_A", about_the_axis(M, a, k), Unit{"kg m²"}, "the rod's moment of inertia about A, M(aa+kk)");
@@ -150,4 +155,48 @@ CHECK_THAT("no square overflows in a body as large as numbers get")
   large.bottomRows<2>() *= 0x1p1000;
   CHECK(body_of(large).k == std::ldexp(body_of(three_weights()).k, 1000));
   CHECK(body_of(large).a() == std::ldexp(body_of(three_weights()).a(), 1000));
+}
+
+/*!
+What is told: the rod and its pieces, by the sums in closed form; and the figure's weights, by their fractions.
+*/
+
+CHECK_THAT(
+    "the rod's numbers are L/√12 and M(aa + kk), those of its pieces lack a twelfth of a piece's square")
+{
+  for(const Told& now : told_at("", "L=3 a=0.01 n=1 M=7", "L=1e-50 a=1e-48 n=1000 M=1e60"))
+  {
+    const Fifty kk = L.fifty() * L.fifty() / 12, lost = kk / (Fifty(int(n)) * int(n)),
+                aa = a.fifty() * a.fifty();
+    const double rounding = 1e-14 * static_cast<double>(L + a);
+    CHECK(now.value("k", metres) == within_relative(sqrt(kk), 4e-16, "a root and a quotient"));
+    CHECK(now.value("k_of_pieces", metres)
+          == within(sqrt(kk - lost), rounding, "places that round, as L and a"));
+    CHECK(now.value("about_A", Unit{"kg m²"})
+          == within_relative(M.fifty() * (aa + kk), 1e-15, "few roundings"));
+    CHECK(now.value("about_A_of_pieces", Unit{"kg m²"})
+          == within_relative(M.fifty() * (aa + kk - lost), 2e-13, "n rounded squares"));
+  }
+}
+
+CHECK_THAT("the figure has three weights with their centre of gravity and radius of gyration")
+{
+  for(const Told& now : told_at(""))
+  {
+    const auto points = now.points("body");
+    REQUIRE(points.size() == 4);
+    double mass = 0, x = 0, y = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const double m = points[i].at("size") * points[i].at("size");
+      mass += m;
+      x += m * points[i].at("x");
+      y += m * points[i].at("y");
+    }
+    CHECK(mass == within(3.5, 1e-15, "the weights are 1, 2 and ½"));
+    CHECK(points[3].value("x") == within(Fifty(x) / mass, 1e-15, "the centre of gravity"));
+    CHECK(points[3].value("y") == within(Fifty(y) / mass, 1e-15, "the centre of gravity"));
+    CHECK(points[3].value("size")
+          == within(sqrt(Fifty(36) / 5) / 3.5, 1e-15, "Lagrange's sum over all pairs"));
+  }
 }
