@@ -9,5 +9,5 @@ set label "gravity, sin Φ" at 106, 1.17 left textcolor linetype 1
 set label "small swings, Φ" at 62, 1.3 right textcolor linetype 6
 set label "top" at 176, -0.16 right
 set label "top" at -176, 0.14 left
-plot tsv("pendulum-04.moment") using "phi":(abs(column("small")) < 1.5 ? column("small") : NaN) with lines linetype 6 dashtype (4, 4), \
+plot tsv("pendulum-04.moments") using "phi":(abs(column("small")) < 1.5 ? column("small") : NaN) with lines linetype 6 dashtype (4, 4), \
      "" using "phi":"moment" with lines linetype 1

@@ -3,6 +3,7 @@
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
 #include "pendulum/body.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 4, "The moment of gravity, and equal times up and down")
@@ -35,7 +36,7 @@ the force retards it by just as much. From this he infers that approach and rece
 times: with $t_\uparrow$ for the time from the angle Φ up to the turning point and $t_\downarrow$ for the time
 from there back to Φ,
 
-$$ t_\uparrow = t_\downarrow \qquad\text{for every } \Phi . \tag{2} $$
+$$ t_\uparrow = t_\downarrow \qquad\text{for every } \Phi . \tag{A} $$
 
 That is why he need find only one of these times and may double it, as he does in {{sec pendulum.02}}.
 
@@ -50,42 +51,49 @@ double moment(double M, double a, double phi)  // (1)
   return M * a * std::sin(phi);
 }
 
+double by_small_swings(double M, double a, double phi)
+{
+  return M * a * phi;
+}
+
 /*!
 The two times come from different formulae of the library, in the unit $\sqrt b/\sqrt{2g}$. One takes a
 quarter of the motion, less the way from the lowest point to Φ by the integral of {{sec pendulum.07}}. The
 other begins at rest, with the integral of {{sec pendulum.14}}.
 */
 
-double from_phi_to_rest(double phi, Amplitude to)  // (2), left side
+double from_phi_to_rest(double phi, Amplitude to)  // (A), left side
 {
   return swing::quarter_time(to) - swing::time_from_bottom(phi, to);
 }
 
-double from_rest_to_phi(double phi, Amplitude to)  // (2), right side
+double from_rest_to_phi(double phi, Amplitude to)  // (A), right side
 {
   return swing::time_from_rest_past(to.zeta - phi, to.eta);
 }
 
-const auto swing_ = amplitude(100_deg, open(0_deg, 180_deg));
+const auto swing_ = amplitude(100_deg, from_below(10_deg, 180_deg));
+
 const auto phi = angle("phi", 60_deg, closed(0_deg, 180_deg), "the present angle BAG = Φ");
-const auto M = real("M", 1.0, Unit{"kg"}, positive, "mass, and at the same time the weight");
-const auto a = real("a", 1.0, metres, positive, "distance AG of the centre of gravity from the axis");
+const auto M = real("M", 1.0, kilograms, scale, "mass, and at the same time the weight");
+const auto a = real("a", 1.0, metres, scale, "distance AG of the centre of gravity from the axis");
 
 TELL
 {
   const Amplitude zeta{swing_.zeta, swing_.eta};
-  require(phi <= zeta.zeta, "phi", "at most zeta");
+  require(phi.fifty() <= swing_.zeta.fifty(), "phi", "at most zeta");
   tell("moment", moment(M, a, phi), Unit{"kg m"}, "moment of gravity at Φ, weight times arm");
-  tell("small_swings", M * a * phi, Unit{"kg m"}, "what the law of small swings has for it, MaΦ");
+  tell("small_swings", by_small_swings(M, a, phi), Unit{"kg m"},
+       "what the law of small swings has for it, MaΦ");
   tell("at_rest", moment(M, a, std::min(zeta.zeta, zeta.eta)), Unit{"kg m"},
        "the moment at the turning point");
-  tell("up", from_phi_to_rest(phi, zeta), "from Φ up to rest at ζ, in the unit √b/√(2g)");
+  tell("up", from_phi_to_rest(phi, zeta), "from Φ up to rest at ζ, in units of √b/√(2g)");
   tell("down", from_rest_to_phi(phi, zeta), "from there down to Φ");
 }
 
 TELL
 {
-  curve("moment", {"phi", "moment", "small"}, [](Curve& c) {
+  curve("moments", {"phi", "moment", "small"}, [](Curve& c) {
     for(int degrees = -180; degrees <= 180; degrees += 2)
       c.put({1.0 * degrees, moment(1, 1, degrees * 1_deg), degrees * 1_deg});
   });
@@ -149,4 +157,42 @@ CHECK_THAT("near the top the angle from the top gives the moment; Φ as a double
   CHECK(moment(2, 3, hair.eta) == within_ulps(6e-20, 2, "a sine and a product"));
   CHECK(moment(2, 3, hair.zeta)
         == within_relative(6 * 1.2246467991473532e-16, 1e-15, "what a double lacks to π"));
+}
+
+/*!
+What is told, at the default, near the top, and for a swing that is hardly one:
+*/
+
+CHECK_THAT("the moments told are weight times arm, and the two times told are the exact motion's")
+{
+  for(const Told& now :
+      told_at("", "eta=1e-9 phi=170 M=3 a=0.1", "zeta=10 phi=4", "zeta=150 phi=0 a=1e-50"))
+  {
+    const Fifty Ma = M.fifty() * a.fifty(), Phi = phi.fifty(), eta = swing_.eta.fifty(),
+                zeta = swing_.zeta.fifty();
+    CHECK(now.value("moment", Unit{"kg m"})
+          == within(Ma * sin(Phi), 5e-16 * M * a, "a sine and two products"));
+    CHECK(now.value("small_swings", Unit{"kg m"}) == within_relative(Ma * Phi, 5e-16, "two products"));
+    CHECK(now.value("at_rest", Unit{"kg m"})
+          == within_relative(Ma * sin(eta), 6e-16, "a sine and two products"));
+    const Fifty K = exact::pi() / 2 * swing::oracle::ratio_from_top(eta),
+                up = K - swing::oracle::time_from_bottom(Phi, eta);
+    const double way_rounds = 4e-16 * swing_.zeta / std::max(1e-300, swing_.zeta - phi);
+    const double rounding =
+        static_cast<double>(K) * 1e-15 * (1 + std::sqrt(way_rounds)) + static_cast<double>(up) * way_rounds;
+    CHECK(now.value("up") == within(up, 2 * rounding, "a difference of rounded times"));
+    CHECK(now.value("down") == within(up, 2 * rounding, "ζ − Φ of rounded angles"));
+    CHECK(zeta > Phi);
+  }
+}
+
+CHECK_THAT("the figure is a sine and its tangent")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("moments", 9))
+    {
+      const Fifty Phi = Fifty(point.at("phi")) * exact::pi() / 180;
+      CHECK(point.value("moment") == within(sin(Phi), 3e-16, "near 180° the double of Φ tells"));
+      CHECK(point.value("small") == within(Phi, 5e-16, "degrees to radians"));
+    }
 }

@@ -36,7 +36,7 @@ from which the whole motion of the pendulum must be derived.
 
 ::: margin
 Today: $\ddot\theta = -(mga/I)\sin\theta$. Euler's $g$ is a length: in the first second a body falls
-$\frac12\cdot9{,}8$ metres. So his $2g$ is our $g$.
+$\frac12\cdot9.8$ metres. So his $2g$ is our $g$.
 :::
 
 ## The program
@@ -46,9 +46,9 @@ The equation is a quotient, with the mass above and below.
 
 double acceleration(double phi, double M, double a, double k, double g)  // (2)
 {
-  const double moment = -M * a * std::sin(phi);
-  const double inertia = M * (a * a + k * k);
-  return 2 * g * moment / inertia;
+  const double moment = -M * std::sin(phi);
+  const double inertia = M * (a + k * (k / a));  // each divided by a, so that no square overflows
+  return 2 * g * (moment / inertia);
 }
 
 /*!
@@ -85,11 +85,11 @@ steps begin, is that of {{sec pendulum.06}}.
 */
 
 const auto swing_ = amplitude(90_deg, open(0_deg, 180_deg));
-const auto t = real("t", 1.0, seconds, above_to(0, 1000), "time since the pendulum left AB");
-const auto a = real("a", 0.5, metres, positive, "distance AG of the centre of gravity from the axis");
-const auto k = real("k", std::sqrt(1.0 / 12), metres, nonnegative, "radius of gyration about G");
-const auto M = real("M", 1.0, Unit{"kg"}, positive, "mass, and at the same time the weight");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second");
+const auto t = real("t", 1.0, seconds, closed(1e-100, 1000), "time since the pendulum left AB");
+const auto a = real("a", 0.5, metres, scale, "distance AG of the centre of gravity from the axis");
+const auto k = real("k", std::sqrt(1.0 / 12), metres, closed(0, 1e100), "radius of gyration about G");
+const auto M = real("M", 1.0, kilograms, scale, "mass, and at the same time the weight");
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second");
 
 double turning(double phi)
 {
@@ -98,7 +98,12 @@ double turning(double phi)
 
 double per_second()  // τ/t
 {
-  return std::sqrt(2 * g / pendulum::equivalent_length<double>(a, k));
+  return std::sqrt(2 * g) / std::sqrt(pendulum::equivalent_length<double>(a, k));
+}
+
+Fifty tau_as_given()  // t√2g/√b from the numbers as they were written
+{
+  return t.fifty() * sqrt(2 * g.fifty() / pendulum::equivalent_length(a.fifty(), k.fifty()));
 }
 
 TELL
@@ -164,7 +169,7 @@ TELL
   using Judge = swing::oracle::Motion;
   const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
   const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
-  const Fifty tau = Fifty(t) * sqrt(2 * Fifty(g) / pendulum::equivalent_length(Fifty(a), Fifty(k)));
+  const Fifty tau = tau_as_given();
   const Place start{0, 2 * per_second() * std::sin(swing_.zeta / 2)};
   std::vector<Method> ways;
   for(const int n : {16, 64, 256, 1024})
@@ -176,7 +181,7 @@ TELL
   ways.push_back({"GSL, eighth order", [=] { return with_gsl(start, t, turning); }});
   const Motion motion({swing_.zeta, swing_.eta});
   ways.push_back({"this edition", [=] { return motion.angle(t * per_second()); }});
-  race("phi", "Φ at the time t", judge.angle(tau), ways);
+  race("place", "Φ at the time t", judge.angle(tau), ways);
 }
 
 /*!
@@ -245,4 +250,83 @@ CHECK_THAT("let go just short of the top, steps in ψ find the bottom, and steps
   CHECK(std::abs(runge_kutta({std::numbers::pi - eta, 0}, K, 4000, up).phi)
         == between(2e-4, 2e-3,
                    "η is off by 2·10⁻⁴ of itself, each early step rounds anew, and the speed is 2"));
+}
+
+/*!
+What is told, and every way of the race, by the exact motion in fifty digits:
+*/
+
+swing::oracle::Motion judged()
+{
+  using Judge = swing::oracle::Motion;
+  return swing_.zeta < swing_.eta ? Judge::from_zeta(swing_.zeta.fifty())
+                                  : Judge::from_eta(swing_.eta.fifty());
+}
+
+CHECK_THAT(
+    "the angle and the acceleration told are the exact motion's, the acceleration its second difference")
+{
+  for(const Told& now :
+      told_at("", "zeta=170 t=3 a=1 k=0", "zeta=1e-6 t=0.001 a=2 k=3 M=5 g=16", "eta=1e-6 t=2"))
+  {
+    const Fifty tau = tau_as_given(), rate = tau / t.fifty(), h("1e-12");
+    const auto motion = judged();
+    const Fifty Phi = motion.angle(tau);
+    const double late = 1e-15 * (1 + static_cast<double>(tau)) * (2 * swing_.zeta + 1e-300);
+    CHECK(now.value("phi", degrees) == within(Phi, late, "two ulps of ζ, and a time that rounds"));
+    const Fifty bend = (motion.angle(tau + h) - 2 * Phi + motion.angle(tau - h)) / (h * h) * rate * rate;
+    const double steep = static_cast<double>(rate * rate);
+    CHECK(now.value("acceleration", Unit{"rad/s²"})
+          == within(bend, steep * (2 * late + 1e-22) + 2e-15 * std::abs(static_cast<double>(bend)),
+                    "Φ, and few roundings"));
+  }
+}
+
+CHECK_THAT(
+    "the exact way of the race is the motion's, the steps' errors fall by their orders, GSL's is small")
+{
+  for(const Told& now : told_at("", "zeta=60 t=0.5", "zeta=20 t=1 a=1 k=0"))
+  {
+    const Fifty Phi = judged().angle(tau_as_given());
+    CHECK(now.exact("place") == within(Phi, 1e-45, "the same oracle at the same numbers"));
+    const auto bound = [&](double order, double n, double constant) {
+      return constant * std::pow(n, -order);
+    };
+    for(const int n : {16, 64, 256, 1024})
+      CHECK(now.method("place", "leapfrog, " + std::to_string(n) + " steps")
+            == within(Phi, bound(2, n, 20) + 1e-13, "order two, on ways of a few radians"));
+    for(const int n : {8, 32, 128, 512})
+      CHECK(now.method("place", "Runge-Kutta, " + std::to_string(n) + " steps")
+            == within(Phi, bound(4, n, 400) + 1e-13, "order four"));
+    CHECK(now.method("place", "GSL, eighth order") == within(Phi, 1e-12, "a tolerance of 10⁻¹⁴ a step"));
+    CHECK(now.method("place", "this edition") == within(Phi, 5e-15, "two ulps, and a time that rounds"));
+  }
+}
+
+CHECK_THAT("the figures are the body's lines and arcs, and four exact motions")
+{
+  for(const Told& now : told_at(""))
+  {
+    const auto plate = now.points("fig_2");
+    const Fifty Phi = 38 * exact::pi() / 180, on = 45 * exact::pi() / 180;
+    CHECK(plate.at(1).value("y") == within(-1, 1e-15, "B is below A"));
+    CHECK(plate.at(3).value("x") == within(sin(Phi), 3e-16, "G"));
+    CHECK(plate.at(3).value("y") == within(-cos(Phi), 3e-16, "G"));
+    CHECK(plate.at(1).value("x") == within(0, 1e-16, "B is below A"));
+    CHECK(plate.at(5).value("x") == within(sin(on), 3e-16, "g"));
+    CHECK(plate.at(5).value("y") == within(-cos(on), 3e-16, "g"));
+    int curve = -1;
+    double before = 9;
+    for(const auto& point : now.points("motion", 60))
+    {
+      const double swings = point.at("swings");
+      curve += swings < before ? 1 : 0;
+      before = swings;
+      const Fifty zeta =
+          Fifty(std::array{30, 90, 150, 179}.at(static_cast<std::size_t>(curve))) * exact::pi() / 180;
+      const auto motion = swing::oracle::Motion::from_zeta(zeta);
+      CHECK(point.value("phi")
+            == within(motion.angle(swings * exact::pi()) * 180 / exact::pi(), 1e-10, "times to 25"));
+    }
+  }
 }

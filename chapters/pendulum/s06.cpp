@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "edition/section.hpp"
 #include "pendulum/equation.hpp"
 #include "swing/oracle.hpp"
@@ -15,7 +13,7 @@ One integration gives the speed at every angle, and with it a length $b$ that st
 multiplies the equation of {{sec pendulum.05}} on both sides by $2d\Phi$. Since
 $\int d\Phi\sin\Phi = -\cos\Phi$, its integral is
 
-$$ \frac{d\Phi^2}{dt^2} = \frac{4ga\cos\Phi}{aa+kk} + C . \tag{1} $$
+$$ \frac{d\Phi^2}{dt^2} = \frac{4g{{entry four_g}}a\cos\Phi}{aa+kk} + C . \tag{1} $$
 
 Here $\frac{d\Phi^2}{dt^2}$ is the square of the angular speed, which must vanish when the pendulum has
 reached its greatest excursion, $\Phi = \zeta$. This fixes the constant,
@@ -41,7 +39,7 @@ position $AB$, the square of its speed was
 
 $$ \frac{4g}b\,(1-\cos\zeta) , \tag{6} $$
 
-and this formula, he adds, also expresses the height due to that speed.
+and this formula, he adds, also expresses the height due to that speed {{entry height}}.
 
 ::: margin
 Today: conservation of energy, $\frac12\dot\theta^2 = \omega_0^2(\cos\theta-\cos\theta_0)$ with
@@ -89,20 +87,21 @@ And the length $b$, in the order of operations in which no square overflows:
 
 const auto swing_ = amplitude(60_deg);
 const auto phi = angle("phi", 30_deg, closed(0_deg, 180_deg), "the present angle BAG = Φ");
-const auto a = real("a", 0.5, metres, positive, "distance AG of the centre of gravity from the axis");
-const auto k = real("k", std::sqrt(1.0 / 12), metres, nonnegative, "radius of gyration about G");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second");
+const auto a = real("a", 0.5, metres, scale, "distance AG of the centre of gravity from the axis");
+const auto k = real("k", std::sqrt(1.0 / 12), metres, closed(0, 1e100), "radius of gyration about G");
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second");
 
 TELL
 {
-  require(phi <= swing_.zeta, "phi", "at most zeta");
+  require(phi.fifty() <= swing_.zeta.fifty(), "phi", "at most zeta");
   const double b = equivalent_length<double>(a, k);                           // (4)
   const double at_bottom = std::sqrt(square_of_speed(0, swing_.zeta, b, g));  // (6)
   tell("b", b, metres, "distance of the centre of oscillation from the axis");
   tell("beyond_G", k * (k / a), metres, "how far it lies beyond G, kk/a");
-  tell("speed", std::sqrt(square_of_speed(phi, swing_.zeta, b, g)), Unit{"rad/s"}, "angular speed at Φ");
+  tell("speed", std::sqrt(std::max(0.0, square_of_speed(phi, swing_.zeta, b, g))), Unit{"rad/s"},
+       "angular speed at Φ");
   tell("at_bottom", at_bottom, Unit{"rad/s"}, "angular speed in AB");
-  tell("height_due", std::pow(b * at_bottom, 2) / (4 * g), metres,
+  tell("height_due", b * at_bottom * (b * at_bottom / (4 * g)), metres,
        "the height due to the speed of O in AB");
 }
 
@@ -227,4 +226,54 @@ CHECK_THAT("neither b nor the difference of the cosines is lost to overflow or c
   CHECK(cosine_difference(5e-10, 1e-9)
         == within_ulps(cos(Fifty(5e-10)) - cos(Fifty(1e-9)), 3, "two sums, two sines, a product"));
   CHECK(std::cos(5e-10) - std::cos(1e-9) == 0);
+}
+
+/*!
+What is told, by the energy as a fall: the centre of oscillation has come down by $b\cos\Phi - b\cos\zeta$.
+*/
+
+CHECK_THAT("the length and the speeds told are those of a fall of the centre of oscillation")
+{
+  for(const Told& now : told_at("", "zeta=170 phi=169 a=2 k=3 g=16", "zeta=1e-8 phi=1e-9 a=1e-50 k=1e-51",
+                                "zeta=90 phi=0 k=0"))
+  {
+    const Fifty b = a.fifty() + k.fifty() * k.fifty() / a.fifty(), zeta = swing_.zeta.fifty();
+    const auto speed_after = [&](const Fifty& fall) { return sqrt(4 * g.fifty() * fall) / b; };
+    CHECK(now.value("b", metres) == within_relative(b, 6e-16, "a quotient, a product, a sum"));
+    CHECK(now.value("beyond_G", metres)
+          == within_relative(b - a.fifty(), 6e-16, "a quotient and a product"));
+    const double near = 1e-15 + 4e-16 * swing_.zeta / (swing_.zeta - phi);
+    CHECK(now.value("speed", Unit{"rad/s"})
+          == within_relative(speed_after(b * (cos(phi.fifty()) - cos(zeta))), near,
+                             "ζ − Φ of rounded angles"));
+    CHECK(now.value("at_bottom", Unit{"rad/s"})
+          == within_relative(speed_after(b * (1 - cos(zeta))), 2e-15, "few roundings"));
+    CHECK(now.value("height_due", metres)
+          == within_relative(b * (1 - cos(zeta)), 4e-15, "squares of that"));
+  }
+}
+
+CHECK_THAT("the phase curves have the energy of their amplitudes, and the length is a + 1/a")
+{
+  for(const Told& now : told_at(""))
+  {
+    int curve = 0, i = 0;
+    for(const auto& point : now.points("phase"))
+    {
+      const Fifty zeta =
+          Fifty(std::array{30, 60, 90, 150, 180}.at(static_cast<std::size_t>(curve))) * exact::pi() / 180;
+      const Fifty at = Fifty(point.at("phi")) * exact::pi() / 180, square = 2 * (cos(at) - cos(zeta));
+      CHECK(point.at("rate") * point.at("rate") == within(square, 2e-15, "Φ in degrees rounds"));
+      i = (i + 1) % 361;
+      curve += i == 0 ? 1 : 0;
+    }
+    CHECK(curve == 5);
+    CHECK(now.points("phase").at(90).value("rate")
+          == within(-sqrt(2 * (1 - cos(exact::pi() / 6))), 1e-15, "clockwise"));
+    CHECK(now.points("phase").at(270).value("rate")
+          == within(sqrt(2 * (1 - cos(exact::pi() / 6))), 1e-15, "clockwise"));
+    for(const auto& point : now.points("length", 6))
+      CHECK(point.value("b")
+            == within_relative(point.at("a") + 1 / Fifty(point.at("a")), 4e-16, "a quotient, a sum"));
+  }
 }
