@@ -114,3 +114,15 @@ addEventListener('keydown', (e) => {
     document.querySelector('.find input').focus();
   }
 });
+
+// Where the section runs in the page itself: its script comes when a field, a slider, a scene or the checks are first touched, or
+// by an address with numbers (#zeta=60).
+const live = [...document.querySelectorAll('.parameters .field, .again, .controls')];
+const wake = (event) => {
+  if (self.liveListens) return;
+  if (event?.type === 'click') self.liveWanted = event.target.closest('button') ?? self.liveWanted;
+  if (!self.liveWoken) document.head.append(make('script', { src: 'live/live.js' }));
+  self.liveWoken = true;
+};
+for (const place of live) for (const type of ['focusin', 'pointerover', 'click', 'input']) place.addEventListener(type, wake);
+if (live.length && /^#\w+=/.test(location.hash)) wake();

@@ -1,37 +1,11 @@
 // The edition's standing forms: the verdict of a check, its claims, an entry of the apparatus, what a section's
 // program can be given.
-import { escape } from './prose.mjs';
+import { claims, table, tableEnd, verdict } from './claims.mjs';
+import { escape } from './escape.mjs';
+import { field } from './live/fields.mjs';
 import { texOf } from './tex.mjs';
 
 export const sigla = { erratum: '⁕', emendation: '†', doubtful: '‡', undecided: '◇' };
-export const verdict = (holds) =>
-  `<span class="verdict ${holds ? 'holds' : 'fails'}">${holds ? '✓ holds' : '✗ fails'}</span>`;
-
-/** How often a claim was made; of many, the one shown is the one that came nearest to failing. */
-function times({ times: n, at, used }) {
-  const where = at ? `at ${escape(at)}` : '';
-  if (n < 2) return where && `<span class="times">${where}</span>`;
-  const which = used === undefined ? '' : `, the nearest to failing${where && `: ${where}`}`;
-  return `<span class="times">${n} times${which || (where && `, shown ${where}`)}</span>`;
-}
-
-/** The claims of a check. `check` is its number on the page. */
-export function claims(all, check) {
-  const rows = all.map(
-    (c, i) =>
-      `<tr data-check="${check}" data-claim="${i + 1}"><td class="claim"><code>${escape(c.expression)}</code>` +
-      `${c.passed ? '' : ` ${verdict(false)}`}${times(c)}</td>` +
-      `<td data-label="got">${escape(c.got)}</td><td data-label="expected">${escape(c.expected)}</td>` +
-      `<td data-label="within">${escape(c.tolerance)}</td><td class="word" data-label="because">${escape(c.because)}</td></tr>`,
-  );
-  const made = all.reduce((n, c) => n + c.times, 0);
-  return (
-    `<details class="claims"><summary>${all.length} ${all.length === 1 ? 'claim' : 'claims'}` +
-    `${made > all.length ? `, made ${made} times` : ''}</summary>\n` +
-    `${table('Claims', ['claim', 'got', 'expected', 'within', 'because'], ' stacked')}${rows.join('\n')}${tableEnd}` +
-    `</details>\n`
-  );
-}
 
 /** Words of the apparatus: a formula where they are one. */
 function words(text, formulas) {
@@ -68,14 +42,18 @@ export function reading(entry, tried, formulas, { place = '', home = '' }) {
   );
 }
 
-/** What a section's program can be given: letter, default, range, meaning. */
-export function parameters(section) {
+const defaultOf = (p) =>
+  escape(String(p.default).replace(/^-/, '−').replace(/e([+-]?\d+)$/, ' × 10^$1')) +
+  (p.unit === '°' ? '°' : p.unit && ` ${escape(p.unit)}`);
+
+/** What a section's program can be given: letter, default, range, meaning; on a live page the default is a field. */
+export function parameters(section, live) {
   const { parameters: all } = section.told;
   if (!all.length) return '';
   const rows = all.map(
     (p) =>
       `<tr data-parameter="${p.name}"><th scope="row"><code class="whole">${p.name}</code></th>` +
-      `<td>${escape(String(p.default).replace(/^-/, '−').replace(/e([+-]?\d+)$/, ' × 10^$1'))}${p.unit === '°' ? '°' : p.unit && ` ${escape(p.unit)}`}</td>` +
+      `<td${live ? ' class="field"' : ''}>${live ? field(p) : defaultOf(p)}</td>` +
       `<td class="word range">${escape(p.range)}</td><td class="word">${escape(p.meaning)}</td></tr>`,
   );
   return (
@@ -83,9 +61,3 @@ export function parameters(section) {
     `${table('What can be changed', ['letter', 'default', 'range', 'meaning'])}${rows.join('\n')}${tableEnd}</section>\n`
   );
 }
-
-/** The table's opening, with what a keyboard needs to scroll it. */
-export const table = (label, heads, more = '') =>
-  `<div class="table broad${more}" tabindex="0" role="group" aria-label="${label}"><table><thead><tr>` +
-  `${heads.map((h) => `<th scope="col">${h}</th>`).join('')}</tr></thead>\n<tbody>\n`;
-export const tableEnd = '</tbody></table></div>\n';

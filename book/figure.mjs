@@ -1,6 +1,6 @@
 // From gnuplot's SVG to the book's: colours by name so that they follow light and dark, ids of its own, real
 // words for those who cannot see it; and from the same drawing a file to take away and a thumbnail.
-import { escape } from './prose.mjs';
+import { escape } from './escape.mjs';
 
 /** The palette that figures/style.gp defines: [{ name, light, dark }]. */
 export function palette(style) {
@@ -40,6 +40,7 @@ function drawing(svg, name, colours) {
     .replace(/\bid=(["'])/g, `id=$1${name}-`)
     .replace(/url\(#/g, `url(#${name}-`)
     .replace(/(?:<g [^>]*>\s*<\/g>\s*)+/g, '')
+    .replace(/\t/g, ' ') // Doxygen would make some blanks of them
     .replace(/^\s+/gm, '');
 }
 

@@ -2,7 +2,8 @@
 // chapter's map.
 import fs from 'node:fs';
 import path from 'node:path';
-import { reading, sigla, table, tableEnd, verdict } from './cards.mjs';
+import { reading, sigla } from './cards.mjs';
+import { table, tableEnd, verdict } from './claims.mjs';
 import { escape, heading, slug } from './prose.mjs';
 import * as speed from './speed.mjs';
 
@@ -183,6 +184,14 @@ function citation(book) {
   );
 }
 
+/** `{{collected live}}`: how the pages run themselves, where they do. */
+function live(book) {
+  const file = 'book/live/running.md';
+  return book.live
+    ? book.page(file).html(book.read(file), 1)
+    : '<p>This copy of the book was made without the pages that run themselves; the colophon says why.</p>\n';
+}
+
 const search = () => `<form class="search" role="search" action="search.html">
 <label for="q">Search the book</label> <input id="q" name="q" type="search" autocomplete="off">
 <button>Search</button>
@@ -204,6 +213,7 @@ export const lists = {
   scenes: speed.scenes,
   provenance: speed.provenance,
   colophon,
+  live,
   terms,
   glossary,
   notation,

@@ -3,14 +3,15 @@
 import { createHash } from 'node:crypto';
 import fs from 'node:fs';
 import { sigla } from './cards.mjs';
+import { escape } from './escape.mjs';
 import { packages } from './packages.mjs';
 import { asTeX, asText, fits, format, handTyped } from './numbers.mjs';
+import { isWord, rows } from './table.mjs';
 
 const MarkdownIt = packages('markdown-it');
 const katex = packages('katex');
 
-export const escape = (text) =>
-  String(text).replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
+export { escape };
 
 /**
  * KaTeX, remembered by content in a file: a formula that was set once is not set again. What the weaver has put into
@@ -408,16 +409,16 @@ export class Page {
     }
     const drawn = this.book.divisions?.[kind];
     if (drawn) return drawn(text, this, line);
-    const figure = /^figure (\S+)$/.exec(kind)?.[1];
+    const [, what, figure] = /^(figure|scene) (\S+)$/.exec(kind) ?? [];
     if (!figure)
       throw new Error(
-        `::: ${kind} is not known (margin, code FILE NAME (n), figure NAME, no-figure, exercise, map, route)`,
+        `::: ${kind} is not known (margin, code FILE NAME (n), figure NAME, scene NAME, no-figure, exercise, map, route)`,
       );
-    this.figures.push(figure);
+    if (what === 'figure') this.figures.push(figure);
     const [, alternative, caption] = /^alt: *([^]*?)\n\s*\n([^]*)$/.exec(text) ?? [];
     if (!caption?.trim())
-      throw new Error(`::: figure ${figure} needs "alt: ...", an empty line, and a caption`);
-    return this.book.figure(
+      throw new Error(`::: ${what} ${figure} needs "alt: ...", an empty line, and a caption`);
+    return this.book[what](
       figure,
       this.words(alternative),
       this.inline(caption.trim(), line + linesIn(text.slice(0, text.length - caption.length))),
@@ -443,22 +444,15 @@ export class Page {
     const table = this.section?.told.tables.find((t) => t.name === name.trim());
     if (!table) throw new Error(`no table is told by the name of {{table ${name}}}`);
     (this.typeset ??= new Set()).add(table.name);
-    const isWord = (x) => typeof x === 'string' && !/^-?(inf|nan)$/.test(x);
     const head = table.columns.map(
       (c, i) =>
         `<th scope="col"${table.rows.every((row) => isWord(row[i])) ? ' class="word"' : ''}>` +
         `${escape(c.heading)}${c.unit ? ` <span class="unit">${escape(c.unit)}</span>` : ''}</th>`,
     );
-    const cell = (x, c) => {
-      if (isWord(x)) return `<td class="word">${escape(x)}</td>`;
-      const digits = Number.isInteger(x) ? '' : String(c.digits);
-      return `<td>${asText(format({ value: x, unit: '' }, digits))}</td>`;
-    };
-    const rows = table.rows.map((row) => `<tr>${row.map((x, i) => cell(x, table.columns[i])).join('')}</tr>`);
     return (
       `<div class="table" tabindex="0" role="group" aria-label="Table"><table class="told" data-table="${table.name}">` +
       `<caption>${this.inline(table.caption)}</caption>\n` +
-      `<thead><tr>${head.join('')}</tr></thead>\n<tbody>\n${rows.join('\n')}\n</tbody></table></div>\n`
+      `<thead><tr>${head.join('')}</tr></thead>\n<tbody>\n${rows(table).join('\n')}\n</tbody></table></div>\n`
     );
   }
 

@@ -2,7 +2,8 @@
 // apparatus put where they belong.
 import fs from 'node:fs';
 import path from 'node:path';
-import { claims, parameters, reading, sigla, verdict } from './cards.mjs';
+import { parameters, reading, sigla } from './cards.mjs';
+import { claims, verdict } from './claims.mjs';
 import { code, explained, html, page } from './doxygen.mjs';
 import { Page, anchor, escape, heading, slug } from './prose.mjs';
 import { races } from './speed.mjs';
@@ -63,6 +64,10 @@ function illustrations(s) {
         .join(', ')}.</p>\n`
     : '';
 }
+
+/** Where the reader has the checks run again; only the page's own script does anything there. */
+const again =
+  '\n<p class="again"><button type="button">Run these checks again, in this page</button> <span role="status"></span></p>';
 
 const hasRace = (b) => b.kind === 'TELL' && /\brace\(/.test(b.code);
 
@@ -187,11 +192,12 @@ export function sectionPage(s, book) {
       fault(c.line, `the check "${c.name}" does not stand on the page`);
   const says =
     heading('What it says') +
-    parameters(s) +
+    parameters(s, book.live) +
     `<pre class="told" data-program="${s.name}" tabindex="0" role="group" aria-label="Output of ${s.name}"><code>` +
     `${terminal(s.name, s.text, s.told, p.typeset ?? new Set())}</code></pre>\n${illustrations(s)}`;
   body = body
     .replace('\0told\0', () => html(says))
+    .replace(/<h2 id="checks">[^]*?<\/h2>/, (h2) => h2 + (book.live ? again : ''))
     .replace('\0races\0', () => html(races(s, book, p)))
     .replace(/\0entry ([\w-]+)\0/g, (_, to) => {
       const e = s.entries.find((x) => x.to === to);

@@ -1,7 +1,7 @@
 // Speed against error: the ways to one number in a section, and the library against its peers.
 import fs from 'node:fs';
 import path from 'node:path';
-import { table, tableEnd } from './cards.mjs';
+import { table, tableEnd } from './claims.mjs';
 import { asText, asTime, format } from './numbers.mjs';
 import { escape } from './prose.mjs';
 import { familyOf, floor, front, groups, idOf, kindOf, plainly, recordedOf } from './scenes.mjs';

@@ -8,6 +8,7 @@ import { escape, Formulas, Page, heading, slug } from './prose.mjs';
 import { explained, html, page } from './doxygen.mjs';
 import { palette, inline, standalone, thumbnail } from './figure.mjs';
 import { lists } from './lists.mjs';
+import { controls, still } from './live/scene.mjs';
 import { divisions } from './map.mjs';
 import { packages } from './packages.mjs';
 import { blocks, named, tagged } from './section.mjs';
@@ -167,6 +168,7 @@ for (const { id } of edition.chapters)
 const book = {
   source,
   build,
+  live: !/^none/.test(json(path.join(build, 'made-with.json'))['live pages'] ?? 'none'),
   only,
   ...edition,
   version: /project\([^)]*VERSION ([\d.]+)/.exec(read(path.join(source, 'CMakeLists.txt')))?.[1] ?? '',
@@ -236,6 +238,20 @@ book.figure = (name, alt, caption, page) => {
   const curves = data.map((f) => f.split('.')[1]).map((curve) => lookedAt(page.section, curve));
   const proved = [...new Set(curves.filter(Boolean))].join('; ');
   return numbered(page, name, script, data, alt, `${caption}${proved && ` <span class="proved">Its data: ${proved}.</span>`}`);
+};
+
+/** A scene that the section declares: its first frame, and what starts it where the page runs itself. */
+book.scene = (name, alt, caption, page) => {
+  const declared = page.section?.told.scenes?.find((s) => s.name === name);
+  if (!declared) throw new Error(`no scene is told by the name of ::: scene ${name}`);
+  page.drawings = (page.drawings ?? 0) + 1;
+  const id = `fig-${page.drawings}`;
+  const frames = read(path.join(build, `told/${page.section.name}.${name}.tsv`));
+  return (
+    `<figure id="${id}" class="scene" data-scene="${name}">\n<div class="drawing">\n` +
+    `${still(declared, frames, `scene-${name}`, alt)}</div>\n${book.live ? controls : ''}` +
+    `<figcaption><a class="label" href="#${id}">Fig. ${page.drawings}</a> ${caption}</figcaption>\n</figure>\n`
+  );
 };
 
 /** A figure with its number on a section's page, where it can be linked to. */

@@ -11,9 +11,6 @@ plate = tsv("pendulum-13.plate")
 set label "A" at -0.07, -0.02 right
 set label "B" at 0, -1.08 center
 set label "b" at 0, 1.07 center
-set label "η" at 0.055, 0.7 center textcolor linetype 2
-set label "ψ" at 0.25, 0.44 center textcolor linetype 1
-set label "Φ" at 0.25, -0.12 center textcolor linetype 7
 plot plate every :::0::0 using "x":"y" with lines linetype 6, \
      plate every :::7::7 using "x":"y" with lines linetype 1 linewidth 2.6, \
      plate every :::1::3 using "x":"y" with lines linetype 7, \
@@ -22,5 +19,8 @@ plot plate every :::0::0 using "x":"y" with lines linetype 6, \
      plate every :::6::6 using "x":"y" with lines linetype 6, \
      plate every ::1:2:1:3 using "x":"y" with points linetype 7 pointsize 0.8, \
      plate every ::0:1:0:3 using "x":"y" with points linetype 7 pointsize 0.8, \
+     plate every ::50:4:50:4 using (1.13 * $1):(1.13 * $2):("η") with labels textcolor linetype 2, \
+     plate every ::50:5:50:5 using (1.2 * $1):(1.2 * $2):("ψ") with labels textcolor linetype 1, \
+     plate every ::50:6:50:6 using (1.4 * $1):(1.4 * $2):("Φ") with labels textcolor linetype 7, \
      plate every ::1:2:1:2 using (1.09 * $1):(1.09 * $2):("g") with labels, \
      plate every ::1:3:1:3 using (1.08 * $1):(1.08 * $2):("Z") with labels

@@ -22,7 +22,7 @@ double seconds_of(const Entrant& entrant, std::size_t repetitions)
 std::size_t repetitions_for(const Entrant& entrant, double seconds)
 {
   std::size_t repetitions = 1;
-  while(seconds_of(entrant, repetitions) < seconds && repetitions < (std::size_t{1} << 40))
+  while(seconds_of(entrant, repetitions) < seconds && repetitions < (std::size_t{1} << 30))
     repetitions *= 2;
   return repetitions;
 }

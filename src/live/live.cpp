@@ -1,0 +1,67 @@
+#include "live/live.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <nlohmann/json.hpp>
+
+#include "edition/registry.hpp"
+
+namespace live
+{
+namespace
+{
+
+using edition::Section;
+using nlohmann::ordered_json;
+
+std::string word(const char* key, const std::string& value)
+{
+  return ordered_json{{key, value}}.dump();
+}
+
+/// Finds the section, gives it its parameters, and has `answer` answer.
+template <class Answer>
+std::string asked(const std::string& name, const std::string& given, Answer answer)
+{
+  gsl_set_error_handler_off();  // as the programs do
+  try
+  {
+    for(const auto& s : edition::sections())
+      if(s->program() == name)
+      {
+        const auto written = ordered_json::parse(given).get<std::map<std::string, std::string>>();
+        edition::set_parameters(*s, {written.begin(), written.end()});
+        return answer(*s);
+      }
+    return word("failed", name + ": no section of this program");
+  }
+  catch(const edition::BadInput& e)
+  {
+    return word("refused", e.what());
+  }
+  catch(const std::exception& e)
+  {
+    return word("failed", e.what());
+  }
+}
+
+}  // namespace
+
+std::string tell(const std::string& name, const std::string& given)
+{
+  return asked(name, given, [](Section& s) {
+    edition::tell_anew(s, {true, false});
+    auto data = ordered_json::object();
+    for(const auto& [file, content] : edition::data_files(s))
+      data[file] = content;
+    return "{\"told\": " + edition::as_json(s) + ", \"text\": " + ordered_json(edition::as_text(s)).dump()
+           + ", \"data\": " + data.dump() + '}';
+  });
+}
+
+std::string check(const std::string& name, const std::string& given)
+{
+  return asked(name, given,
+               [](Section& s) { return "{\"checked\": " + edition::run_checks(s, {}, true).report + '}'; });
+}
+
+}  // namespace live
