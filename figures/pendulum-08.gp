@@ -12,8 +12,8 @@ set label "90°" at 22, 1e-10 right textcolor linetype 1
 set label "150°" at 230, 1e-10 right textcolor linetype 1
 set label "175°" at 900, 3e-4 right textcolor linetype 1
 set label "geometric bound" at 4, 400 left textcolor linetype 6
-left_out = tsv("pendulum-08.left_out")
-plot left_out using "N":"geometric" with lines linetype 6, \
-     left_out using "N":"R" with lines linetype 1 linewidth 1.2, \
-     left_out using "N":"lower" with points linetype 3 pointtype 7 pointsize 0.25, \
-     left_out using "N":"upper" with points linetype 3 pointtype 7 pointsize 0.25
+left_out = tsv("pendulum-08.lacking")
+plot left_out using "terms":"geometric" with lines linetype 6, \
+     left_out using "terms":"R" with lines linetype 1 linewidth 1.2, \
+     left_out using "terms":"lower" with points linetype 3 pointtype 7 pointsize 0.25, \
+     left_out using "terms":"upper" with points linetype 3 pointtype 7 pointsize 0.25

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <gsl/gsl_integration.h>
+#include <gsl/gsl_sf_ellint.h>
 
 #include "edition/section.hpp"
 #include "exact/quadrature.hpp"
@@ -20,13 +21,13 @@ namespace oracle = swing::oracle;
 The time in which the pendulum rises to an angle is an integral, and the sines of half the angles make it
 algebraic. The speed of {{sec pendulum.06}} gives the element of time,
 
-$$ dt = \frac{d\Phi\sqrt b}{2\sqrt{g(\cos\Phi-\cos\zeta)}} , \tag{1} $$
+$$ dt = \frac{d\Phi\sqrt b}{2\sqrt{g(\cos\Phi-\cos\zeta)}}{{entry root}} , \tag{1} $$
 
 which has to be integrated. He puts $\sin\frac12\zeta = c$ and $\sin\frac12\Phi = z$. Then
 
 $$ \cos\zeta = 1-2cc , \qquad \cos\Phi = 1-2zz , \tag{2} $$
 
-$$ \cos\tfrac12\Phi = \sqrt{1-zz} , \tag{3} $$
+$$ \cos\tfrac12\Phi = \sqrt{1-zz}{{entry half_cosine}} , \tag{3} $$
 
 and from the differentials, $\frac12 d\Phi\cos\frac12\Phi = dz$, he concludes that
 
@@ -34,7 +35,7 @@ $$ d\Phi = \frac{2dz}{\sqrt{1-zz}} . \tag{4} $$
 
 With these values the element of time becomes
 
-$$ \begin{aligned} dt &= \frac{dz\sqrt b}{\sqrt{2g(cc-zz)(1-zz)}} ,\quad\text{or} \\
+$$ \begin{aligned} dt &= \frac{dz\sqrt b}{\sqrt{2g(cc-zz)(1-zz)}}{{entry squares}} ,\quad\text{or} \\
    \frac{dt\sqrt{2g}}{\sqrt b} &= \frac{dz}{\sqrt{(cc-zz)(1-zz)}} . \end{aligned} \tag{5} $$
 
 ::: margin
@@ -98,8 +99,8 @@ double by_gauss(double phi, Amplitude to, int points)
 
 const auto swing_ = amplitude(90_deg, open(0_deg, 180_deg));
 const auto phi = angle("phi", 60_deg, above_to(0_deg, 180_deg), "how far the pendulum has come, BAG = Φ");
-const auto b = real("b", 1.0, metres, positive, "length of the isochronous simple pendulum");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second");
+const auto b = real("b", 1.0, metres, scale, "length of the isochronous simple pendulum");
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second");
 
 TELL
 {
@@ -151,14 +152,14 @@ TELL
   for(const int points : {4, 8, 16})
     ways.push_back({"Gauss in θ, " + std::to_string(points) + " points",
                     [=] { return by_gauss(at, to, points); }, "Gauss"});
-  ways.push_back(
-      {"Legendre's F, std", [=] { return std::ellint_1(to.modulus(), legendre_angle(at, to)); }});
+  ways.push_back({"Legendre's F, GSL",
+                  [=] { return gsl_sf_ellint_F(legendre_angle(at, to), to.modulus(), GSL_PREC_DOUBLE); }});
   ways.push_back({"this edition", [=] { return swing::time_from_bottom(at, to); }});
   if(to.zeta < 1e-20)
     return;  // 180° less that is 180° even in fifty digits
   const Fifty eta = to.zeta < to.eta ? exact::pi() - swing_.zeta.fifty() : swing_.eta.fifty();
   const Fifty K = oracle::K_from_complement(sin(eta / 2));
-  race("t", "t√(2g)/√b", at == to.zeta ? K : oracle::time_from_bottom(phi.fifty(), eta), ways);
+  race("ascent", "t√(2g)/√b", at == to.zeta ? K : oracle::time_from_bottom(phi.fifty(), eta), ways);
 }
 
 /*!
@@ -220,12 +221,12 @@ CHECK_THAT("the last moments of the ascent are known only from the turning point
   CHECK(K - by_gauss(phi_, right, 32)
         == within_relative(last, 1e-4, "90° − 10⁻¹² is itself rounded by 10⁻¹⁶"));
   const double z = std::sin(phi_ / 2), theta = std::atan2(z, std::sqrt(c * c - z * z));
-  CHECK(std::abs((K - std::ellint_1(c, theta)) / static_cast<double>(last) - 1)
+  CHECK(std::abs((K - gsl_sf_ellint_F(theta, c, GSL_PREC_DOUBLE)) / static_cast<double>(last) - 1)
         == between(5e-5, 5e-4, "cc − zz is 10⁻¹² and rounded by 10⁻¹⁶"));
 }
 
 /*!
-In the scan every $zz$ but the one in $\cos\Phi$ has become $2zz$, and two roots stop short of what belongs
+In our copy every $zz$ but the one in $\cos\Phi$ has become $2zz$, and two roots stop short of what belongs
 under them. {{sec pendulum.13}} has {{eq 5}} rightly. The proofs put the motion at $\Phi = 40°$, in a swing
 to 90°, with $b = 1$ and $2g = 1$.
 */
@@ -252,7 +253,7 @@ const Emendation half_cosine{
     "z is the sine of ½Φ; √(1 − 2zz) is the root of cos Φ",
     [](double reading) { return reading == within_ulps(cos(Fifty(20_deg)), 2, "a sine and a root"); }};
 
-double element_at_40(double n)  // over dΦ; n is 2 in the scan
+double element_at_40(double n)  // over dΦ; n is 2 in our copy
 {
   return std::cos(20_deg) / 2 / std::sqrt((0.5 - n * z_40 * z_40) * (1 - n * z_40 * z_40));
 }
@@ -261,5 +262,62 @@ const Emendation squares{
     "§7, dt in terms of z, twice",
     {"dz/√((cc − 2zz)(1 − 2zz))", element_at_40(2)},
     {"dz/√((cc − zz)(1 − zz))", element_at_40(1)},
-    "times dz/dΦ = ½ cos ½Φ it must be the same; and the printed root is imaginary from 60° to 90°",
+    "times dz/dΦ = ½ cos ½Φ it must be the same; and the root with the 2 is imaginary from 60° to 90°",
     is_slowness};
+
+/*!
+What is told, and the race's ways, by the motion in fifty digits:
+*/
+
+CHECK_THAT("the times told are the motion's, and the share their quotient")
+{
+  for(const Told& now : told_at("", "zeta=150 phi=149 b=2", "zeta=20 phi=1 g=1e50", "eta=1e-6 phi=179"))
+  {
+    const Fifty zeta = swing_.zeta.fifty(), eta = swing_.eta.fifty(), Phi = phi.fifty();
+    const Fifty unit = sqrt(b.fifty() / (2 * g.fifty())),
+                K = exact::pi() / 2 * swing::oracle::ratio_from_top(eta);
+    const Fifty u = oracle::time_from_bottom(Phi, eta);
+    CHECK(now.value("c") == within_ulps(sin(zeta / 2), 1, "one sine"));
+    CHECK(now.value("z") == within_ulps(sin(Phi / 2), 1, "one sine"));
+    const double near = 2e-15 + 4e-16 / (swing_.zeta - phi);
+    CHECK(now.value("t", seconds) == within_relative(unit * u, near, "ζ − Φ of rounded angles"));
+    CHECK(now.value("t_zeta", seconds)
+          == within_relative(unit * K, 1e-15, "the library's bound, and the unit"));
+    CHECK(now.value("share", percent) == within_relative(u / K, near, "the quotient of both"));
+    const Fifty last = oracle::time_from_rest_past(Fifty("1e-12"), eta);
+    CHECK(now.value("last") == within_relative(last, 4e-15, "little more than a root"));
+    CHECK(now.exact("ascent") == within_relative(u, 1e-40, "the same oracle"));
+    CHECK(now.method("ascent", "this edition") == within_relative(u, near, "ζ − Φ of rounded angles"));
+  }
+}
+
+CHECK_THAT(
+    "Gauss' rule gains digits with its points, and Legendre's integral has them all, far from the top")
+{
+  for(const Told& now : told_at("", "zeta=60 phi=50", "zeta=20 phi=1"))
+  {
+    const Fifty u = oracle::time_from_bottom(phi.fifty(), swing_.eta.fifty());
+    CHECK(now.method("ascent", "Gauss in θ, 4 points") == within_relative(u, 2e-6, "four points"));
+    CHECK(now.method("ascent", "Gauss in θ, 8 points") == within_relative(u, 2e-12, "eight points"));
+    CHECK(now.method("ascent", "Gauss in θ, 16 points") == within_relative(u, 2e-15, "sixteen points"));
+    CHECK(now.method("ascent", "Legendre's F, GSL") == within_relative(u, 3e-15, "Carlson's duplication"));
+  }
+}
+
+CHECK_THAT("the figure has the element of time in both variables")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("elements", 6))
+    {
+      const Fifty part(point.at("part")), quarter = exact::pi() / 2;
+      const auto motion = oracle::Motion::from_zeta(quarter);
+      if(part < Fifty(0.9))
+      {
+        const Fifty t = oracle::time_from_bottom(part * quarter, quarter);
+        CHECK(point.value("in_phi")
+              == within_relative(quarter / motion.velocity(t), 1e-14, "ζ − Φ rounds"));
+      }
+      const Fifty s = pow(sin(part * quarter), 2) / 2;
+      CHECK(point.value("in_theta") == within_relative(quarter / sqrt(1 - s), 1e-15, "few roundings"));
+    }
+}

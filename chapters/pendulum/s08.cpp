@@ -26,7 +26,7 @@ The first root stays as it is, and the second is expanded as a power with expone
 
 $$ \begin{aligned} \frac{1}{\sqrt{1-ccyy}} = 1 &+ \tfrac12 ccyy + \frac{1\cdot3}{2\cdot4}c^4y^4 \\
    &+ \frac{1\cdot3\cdot5}{2\cdot4\cdot6}c^6y^6 \\
-   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}c^8y^8 + \text{etc.}, \end{aligned} \tag{2} $$
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}c^8y^8{{entry binomial_powers}} + \text{etc.}, \end{aligned} \tag{2} $$
 
 so that
 
@@ -36,16 +36,16 @@ $$ \begin{aligned} \frac{dt\sqrt{2g}}{\sqrt b} = \frac{dy}{\sqrt{1-yy}}\Bigl(1
 
 Each part is integrated from $y = 0$ to $y = 1$. The first gives
 
-$$ \int\frac{dy}{\sqrt{1-yy}} = \frac\pi2, \tag{4} $$
+$$ \int{{entry integral_sign}}\frac{dy}{\sqrt{1-yy}} = \frac\pi2, \tag{4} $$
 
 where π is the circumference of the circle of diameter 1. The others follow two powers of $y$ at a time, since
 between these limits
 
-$$ \int\frac{y^{n+1}dy}{\sqrt{1-yy}} = \frac{n}{n+1}\int\frac{y^{n-1}dy}{\sqrt{1-yy}}, \tag{5} $$
+$$ \int\frac{y^{n+1}dy}{\sqrt{1-yy}} = \frac{n}{n+1}{{entry ladder_factor}}\int\frac{y^{n-1}dy}{\sqrt{1-yy}}, \tag{5} $$
 
 and so
 
-$$ \begin{aligned} \int\frac{yy\,dy}{\sqrt{1-yy}} &= \frac12\cdot\frac\pi2, \\
+$$ \begin{aligned} \int\frac{yy{{entry powers}}\,dy}{\sqrt{1-yy}} &= \frac12\cdot\frac\pi2, \\
    \int\frac{y^4dy}{\sqrt{1-yy}} &= \frac12\cdot\frac34\cdot\frac\pi2, \\
    \int\frac{y^6dy}{\sqrt{1-yy}} &= \frac12\cdot\frac34\cdot\frac56\cdot\frac\pi2, \\
    \int\frac{y^8dy}{\sqrt{1-yy}} &= \frac12\cdot\frac34\cdot\frac56\cdot\frac78\cdot\frac\pi2,\quad\text{etc.}
@@ -55,7 +55,7 @@ These are the fractions of {{eq 2}} once more. Each therefore enters twice, and 
 their squares,
 
 $$ \begin{aligned} \frac{t\sqrt{2g}}{\sqrt b} = \frac\pi2\Bigl(1
-   &+ \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 \\
+   &+ \frac{1^2}{2^2}{{entry first_coefficient}}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 \\
    &+ \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6 \\
    &+ \frac{1^2\cdot3^2\cdot5^2\cdot7^2}{2^2\cdot4^2\cdot6^2\cdot8^2}c^8 + \text{etc.}\Bigr).
    \end{aligned} \tag{7} $$
@@ -98,15 +98,15 @@ The series {{eq 7}} is used in many sections.
 How good is it after $N$ terms? Let $a_n = \tfrac12\cdot\tfrac34\cdots\tfrac{2n-1}{2n}$, and let $R_N$ be what
 is left out of the bracket, from $a_N^2c^{2N}$ on. Its terms fall faster than the powers of $cc$, and so
 
-$$ R_N < \frac{a_N^2c^{2N}}{1-cc}. \tag{8} $$
+$$ R_N < \frac{a_N^2c^{2N}}{1-cc}. \tag{A} $$
 
 For small swings that is close. Near the top it says little, because $1 - cc$ vanishes. But
 $a_n^2(n+\tfrac14)$ grows with $n$, towards $\frac1\pi$. With this limit in its place, or its value at
 $n = N$, the sum can be done, and so $R_N$ is enclosed:
 
-$$ \pi a_N^2(N+\tfrac14)\,B < R_N < B,\qquad B = \frac1\pi\sum_{n\ge N}\frac{c^{2n}}{n+\frac14}. \tag{9} $$
+$$ \pi a_N^2(N+\tfrac14)\,B < R_N < B,\qquad B = \frac1\pi\sum_{n\ge N}\frac{c^{2n}}{n+\frac14}. \tag{B} $$
 
-::: code pendulum/tail.hpp tail (9)
+::: code pendulum/tail.hpp tail (B)
 :::
 */
 
@@ -115,7 +115,7 @@ struct LeftOut
   Fifty R, lower, upper, geometric;
 };
 
-LeftOut left_out(const Fifty& c, const Fifty& s, int N)  // (8), (9)
+LeftOut left_out(const Fifty& c, const Fifty& s, int N)  // (A), (B)
 {
   Fifty a = 1;
   for(int n = 1; n <= N; ++n)
@@ -126,12 +126,18 @@ LeftOut left_out(const Fifty& c, const Fifty& s, int N)  // (8), (9)
 }
 
 const auto swing_ = amplitude(90_deg);
-const auto b = real("b", 1.0, metres, positive, "length of the equivalent simple pendulum");
-const auto g = real("g", 4.903325, metres, positive, "height fallen in the first second");
+const auto b = real("b", 1.0, metres, scale, "length of the equivalent simple pendulum");
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second");
 const auto N = integer("N", 10, 1, 2000, "terms of the series that are kept");
+
+double by_terms(double zeta, int terms)  // (7)
+{
+  return std::numbers::pi / 2 * series(std::pow(std::sin(zeta / 2), 2), terms);
+}
 
 TELL
 {
+  require(swing_.eta >= 1e-150, "eta", "at least 1e-150rad, since (A) divides by its square");
   auto& rows = table("ladder", "The integrals (4) and (6), and the coefficients of (7)",
                      {{"power", "power of y"}, {"integral", "∫ : ½π"}, {"squared", "coefficient"}});
   for(int n = 0; n <= 4; ++n)
@@ -140,20 +146,19 @@ TELL
   const Fifty half = (wide ? swing_.eta : swing_.zeta).fifty() / 2;
   const Fifty c = wide ? cos(half) : sin(half), s = wide ? sin(half) : cos(half);
   const auto [R, lower, upper, geometric] = left_out(c, s, N);
-  const double unit = std::sqrt(b / (2 * g));
+  const double unit = std::sqrt(b) / std::sqrt(2 * g);
   tell("t", unit * swing::quarter_time({swing_.zeta, swing_.eta}), seconds, "time of half a swing");
-  tell("kept", unit * std::numbers::pi / 2 * series(std::pow(std::sin(swing_.zeta / 2), 2), N), seconds,
-       "the same by N terms of (7)");
+  tell("kept", unit * by_terms(swing_.zeta, N), seconds, "the same by N terms of (7)");
   if(R > 1e-40)  // fifty digits tell no less
     tell("R", static_cast<double>(R), "R, what they leave out of the bracket of (7)");
-  tell("lower", static_cast<double>(lower), "at least, by (9)");
-  tell("upper", static_cast<double>(upper), "at most, by (9)");
-  tell("geometric", static_cast<double>(geometric), "at most, by (8)");
+  tell("lower", static_cast<double>(lower), "at least, by (B)");
+  tell("upper", static_cast<double>(upper), "at most, by (B)");
+  tell("geometric", static_cast<double>(geometric), "at most, by (A)");
 }
 
 TELL
 {
-  curve("left_out", {"N", "R", "lower", "upper", "geometric"}, [](Curve& curve_) {
+  curve("lacking", {"terms", "R", "lower", "upper", "geometric"}, [](Curve& curve_) {
     for(const double zeta : {30_deg, 90_deg, 150_deg, 175_deg})
     {
       const Fifty c = sin(Fifty(zeta) / 2), s = cos(Fifty(zeta) / 2);
@@ -172,17 +177,16 @@ TELL
 }
 
 /*!
-Ten terms for the semicircle leave out {{R|8}}. By {{eq 9}} this must lie between {{lower|8}} and {{upper|8}};
-by {{eq 8}} it need only be less than {{geometric|8}}. Nearer the top the difference is greater: try
+Ten terms for the semicircle leave out {{R|8}}. By {{eq B}} this must lie between {{lower|8}} and {{upper|8}};
+by {{eq A}} it need only be less than {{geometric|8}}. Nearer the top the difference is greater: try
 `--zeta 179 --N 1000`.
 
 ::: figure pendulum-08
 alt: What is left out against the number of terms, both logarithmic, at 30, 90, 150 and 175 degrees. The
 wider the swing, the later the curve turns down.
 
-What $N$ terms of {{eq 7}} leave out. The geometric bound {{eq 8}}, grey, is close for a small swing and
-useless for a wide one. The dots are both bounds {{eq 9}}; no eye can part them from each other or from the
-curve.
+What $N$ terms of {{eq 7}} leave out. The geometric bound {{eq A}}, grey, is close for a small swing and
+useless for a wide one. The dots are both bounds {{eq B}}; they lie on the curve.
 :::
 
 ## Speed against error
@@ -202,7 +206,7 @@ TELL
                     [=] { return series(c * c, terms) + tail_bound(c, s, terms); }, "closed"});
   ways.push_back({"arithmetic-geometric mean", [=] { return ratio_by_mean(eta); }});
   ways.push_back({"this edition", [=] { return swing::ratio({swing_.zeta, swing_.eta}); }});
-  race("half_swing", "t√(2g)/√b : ½π", ratio_by_mean(Fifty(eta)), ways);
+  race("half_swing", "t√(2g)/√b : ½π", ratio_by_mean(swing_.eta.fifty()), ways);
 }
 
 /*!
@@ -253,7 +257,7 @@ CHECK_THAT(
 }
 
 /*!
-The bounds {{eq 9}} rest on one line: the quotient of $a_n^2(n+\tfrac14)$ and the one before it has a
+The bounds {{eq B}} rest on one line: the quotient of $a_n^2(n+\tfrac14)$ and the one before it has a
 numerator greater by one than its denominator, $(2n+1)^2(4n+5) - (2n+2)^2(4n+1) = 1$.
 */
 
@@ -276,15 +280,15 @@ CHECK_THAT("the bounds hold for every amplitude, because (2n+1)²(4n+5) exceeds 
 }
 
 /*!
-The scan has halved or dropped most exponents. Each can be put right from its neighbours.
+Our copy has halved or dropped most exponents. Each can be put right from its neighbours.
 */
 
 const Emendation binomial_powers{
     "§8, the series of the root, twice",
     {"c²y², c³y³, c⁴y⁴", 1 + 0.16 / 2 + 3 * 0.16 / 8 + 15 * 0.064 / 48 + 105 * 0.0256 / 384},
     {"c⁴y⁴, c⁶y⁶, c⁸y⁸", static_cast<double>(root(0.16, 5))},
-    "at cy = 0,4 the series must give the root from which it comes",
-    [](double sum) { return sum == within(1 / std::sqrt(0.84), 3.1e-5, "less than 63/256·0,16⁵/0,84"); }};
+    "at cy = 0.4 the series must give the root from which it comes",
+    [](double sum) { return sum == within(1 / std::sqrt(0.84), 3.1e-5, "less than 63/256·0.16⁵/0.84"); }};
 
 const Emendation integral_sign{
     "§8, the first integral",
@@ -317,3 +321,96 @@ const Emendation first_coefficient{
       const Fifty c = Fifty(1e-6), T = 1 / swing::oracle::agm(1, sqrt(1 - c * c));
       return reading == within((T - 1) / (c * c), 1e-12, "the next term, 9/64 cc");
     }};
+
+/*!
+What is told, at the semicircle, near the top and for a small swing:
+*/
+
+Fifty first_terms(const Fifty& cc, int terms)  // the bracket of (7), from the fractions of (6)
+{
+  Fifty sum = 0;
+  Fifty fraction = 1;
+  for(int n = 0; n < terms; ++n)
+  {
+    sum += fraction * fraction * pow(cc, n);
+    fraction *= Fifty(2 * n + 1) / (2 * n + 2);
+  }
+  return sum;
+}
+
+CHECK_THAT("the table has the fractions of (6) and their squares")
+{
+  for(const Told& now : told_at(""))
+  {
+    const auto rows = now.rows("ladder");
+    const char* const fractions[] = {"1", "1/2", "3/8", "5/16", "35/128"};
+    for(std::size_t i = 0; i < rows.size(); ++i)
+    {
+      CHECK(rows[i].value("power") == 2 * static_cast<int>(i));
+      CHECK(rows[i].words("integral") == fractions[i]);
+      CHECK(Rational(rows[i].words("squared").c_str()) == pow(Rational(fractions[i]), 2));
+    }
+  }
+}
+
+CHECK_THAT("the times told are the oracle's and the terms', and what is left out lies in its bounds")
+{
+  for(const Told& now : told_at("", "zeta=179 N=1000", "zeta=30 N=3 b=2", "zeta=150 N=40 g=1e80"))
+  {
+    const Fifty eta = swing_.eta.fifty(), cc = pow(cos(eta / 2), 2), T = swing::oracle::ratio_from_top(eta);
+    const Fifty unit = sqrt(b.fifty() / (2 * g.fifty())) * exact::pi() / 2, sum = first_terms(cc, N),
+                R = T - sum;
+    CHECK(now.value("t", seconds) == within_relative(unit * T, 1e-15, "the library's bound, and the unit"));
+    CHECK(now.value("kept", seconds)
+          == within_relative(unit * sum, 4e-14, "cc rounds, and a half ulp a term"));
+    CHECK(now.value("R") == within(R, 3e-16 * static_cast<double>(R) + 1e-46, "rounded to a double"));
+    Fifty a = 1;
+    for(int n = 1; n <= N; ++n)
+      a *= Fifty(2 * n - 1) / (2 * n);
+    const Fifty geometric = a * a * pow(cc, static_cast<int>(N)) / (1 - cc);
+    CHECK(now.value("geometric") == within_relative(geometric, 4e-16, "rounded to a double"));
+    const Fifty close = R * (1 + Fifty(1) / (32 * int(N) * int(N)));
+    CHECK(now.value("upper") == between(R * (1 - 3e-16), close * (1 + 3e-16), "the law of a_n"));
+    CHECK(now.value("lower") == between(2 * R - close * (1 + 3e-16), R * (1 + 3e-16), "the law of a_n"));
+  }
+}
+
+CHECK_THAT("every way of the race is the sum that it says it is")
+{
+  for(const Told& now : told_at("", "zeta=150", "zeta=30"))
+  {
+    const Fifty eta = swing_.eta.fifty(), cc = pow(cos(eta / 2), 2), T = swing::oracle::ratio_from_top(eta);
+    CHECK(now.exact("half_swing") == within_relative(T, 1e-45, "two ways of fifty digits"));
+    for(const int terms : {5, 12, 24, 44})
+    {
+      const Fifty sum = first_terms(cc, terms), R = T - sum;
+      CHECK(now.method("half_swing", std::to_string(terms) + " terms")
+            == within_relative(sum, 4e-15, "roundings"));
+      CHECK(now.method("half_swing", std::to_string(terms) + " terms and B")
+            == between(T - Fifty(1e-14), T + R / (32 * terms * terms) + Fifty(1e-14),
+                       "B is above R by so little"));
+    }
+    CHECK(now.method("half_swing", "arithmetic-geometric mean") == within_ulps(T, 4, "its own bound"));
+    CHECK(now.method("half_swing", "this edition") == within_ulps(T, 1, "the library's bound"));
+  }
+}
+
+CHECK_THAT("the figure has what is left out, between its bounds")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("lacking", 9))
+    {
+      const double R = point.at("R"), n = point.at("terms");
+      CHECK(point.value("upper") == between(R, R * (1 + 1 / (32 * n * n) + 1e-15), "the law of a_n"));
+      CHECK(point.value("lower") == between(R * (1 - 1 / (32 * n * n) - 1e-15), R, "the law of a_n"));
+      CHECK(point.value("geometric") == between(R, infinity, "a_n² falls"));
+    }
+  for(const Told& now : told_at(""))
+  {
+    const auto first = now.points("lacking").front();
+    CHECK(
+        first.value("R")
+        == within_relative(swing::oracle::ratio_from_bottom(exact::pi() / 6) - 1, 4e-16, "30°, one term"));
+    CHECK(first.value("terms") == within(1, 0, "a count"));
+  }
+}
