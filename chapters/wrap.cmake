@@ -17,4 +17,5 @@ endif()
 string(REGEX MATCHALL "\n#include[^\n]*" includes "${text}")
 list(JOIN includes "" includes)
 string(STRIP "${includes}" includes)
-file(WRITE ${WRAPPER} "${includes}\n\nnamespace ${scope}\n{\n#include \"${SECTION}\"\n}\n")
+file(WRITE ${WRAPPER}
+  "${includes}\n\nnamespace ${scope}\n{\n#include \"${SECTION}\"  // NOLINT(bugprone-suspicious-include)\n}\n")

@@ -18,7 +18,7 @@ foreach(file IN ITEMS ${DOCUMENTS}/LICENSE ${LIBRARIES}/cmake/euler-on-oscillati
     message(FATAL_ERROR "${file} is not installed")
   endif()
 endforeach()
-must(${CMAKE_COMMAND} -E env --unset=LD_LIBRARY_PATH ${there}/${PROGRAMS}/pendulum-11 --check)
+must(${CMAKE_COMMAND} -E env --unset=LD_LIBRARY_PATH ${there}/${PROGRAMS}/pendulum-01 --check)
 must(${CMAKE_COMMAND} -S ${CONSUMER} -B ${there}/consumer -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${there}
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS})
 must(${CMAKE_COMMAND} --build ${there}/consumer)

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <map>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -182,12 +183,22 @@ int complain(const std::string& program, const std::string& what, int status)
   return status;
 }
 
+/// The section that a program is; of several that were built into one, that by whose name it is called.
+Section& called(std::string_view name)
+{
+  name = name.substr(name.rfind('/') + 1);
+  for(const auto& s : sections())
+    if(s->program() == name)
+      choose(*s);
+  return section();
+}
+
 }  // namespace
 
 int edition::run(int argc, char** argv)
 {
   gsl_set_error_handler_off();  // GSL's own handler ends the program; its functions' status and NaN say enough
-  Section& s = section();
+  Section& s = called(argc > 0 ? argv[0] : "");
   if(!s.faults.empty())
     return complain(s.program(), s.faults.front(), 1);
   try
