@@ -1,4 +1,4 @@
-#include "balance/balance.hpp"
+#include "balance/euler.hpp"
 
 #include <stdexcept>
 
@@ -7,18 +7,13 @@ namespace balance
 namespace
 {
 
-double sinc(double x)
-{
-  return x == 0 ? 1 : std::sin(x) / x;
-}
-
 /// x(t) of x″ = −q2·x from x and v.
 double free_swing(double q2, double x, double v, double t)
 {
   const double q = std::sqrt(std::abs(q2));
   if(q2 < 0)
     return x * std::cosh(q * t) + v * (std::sinh(q * t) / q);
-  return x * std::cos(q * t) + v * t * sinc(q * t);
+  return x * phase(Rate<double>{q}, t).cosine + v * t * sinc_of_half(Rate<double>{2 * q}, t);
 }
 
 }  // namespace
@@ -44,21 +39,12 @@ Angles<> small_motion(const Balance<>& b, const State<>& start, double t)
 
 double driven(double q, double p, double t)
 {
-  return t * t / 2 * sinc((q + p) * t / 2) * sinc((q - p) * t / 2);
+  return driven_by(together(q, p), together(q, -p), t);
 }
 
 Angles<> second_order(const Balance<>& b, const Angles<>& released, double t)
 {
-  const auto& [m, n, n1] = released;
-  const double lambda = std::sqrt(b.lambda2);
-  const double mu = std::sqrt(b.mu2);
-  const auto sidebands = [&](double q) { return driven(q, mu - lambda, t) + driven(q, mu + lambda, t); };
-  const double product = b.beta * b.lambda2 * m / 2 * sidebands(mu);          // from −βηω̈
-  const double arc = b.beta * b.lambda2 * m * m * driven(mu, 2 * lambda, t);  // from β(½ω²)″
-  const double turned = b.mu2 * m * (n - n1) / 2 * sidebands(lambda);         // from ω(η̈ − ϑ̈)
-  const double pulled = b.mu2 * (n * n - n1 * n1) * driven(lambda, 2 * mu, t);  // from −½(η² − ϑ²)″
-  return {m * std::cos(lambda * t) + b.rho / b.beta * (pulled - turned),
-          n * std::cos(mu * t) + n * product - arc, n1 * std::cos(mu * t) - n1 * product + arc};
+  return complete_of(std::sqrt(b.lambda2), std::sqrt(b.mu2), b.beta, b.rho, released, t);
 }
 
 }  // namespace balance

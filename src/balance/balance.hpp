@@ -20,6 +20,7 @@
 
 #include <cmath>
 
+#include "elementary/circular.hpp"
 #include "exact/fifty.hpp"
 
 /// The motion of a balance with two hanging pans.
@@ -78,8 +79,8 @@ Balance<> numbers_of(const Instrument& instrument);
 template <class Number>
 Angles<Number> accelerations(const Balance<Number>& b, const State<Number>& now)
 {
-  using std::cos;
-  using std::sin;
+  using elementary::cos;
+  using elementary::sin;
   const auto& [at, rate] = now;
   const Number s1 = sin(at.omega - at.eta), c1 = cos(at.omega - at.eta);
   const Number s2 = sin(at.omega - at.theta), c2 = cos(at.omega - at.theta);
@@ -99,7 +100,7 @@ Angles<Number> accelerations(const Balance<Number>& b, const State<Number>& now)
 template <class Number>
 Number energy(const Balance<Number>& b, const State<Number>& now)
 {
-  using std::sin;
+  using elementary::sin;
   const auto& [at, rate] = now;
   const auto height = [](const Number& x) { return 2 * sin(x / 2) * sin(x / 2); };  // 1 − cos x
   const Number speeds = rate.eta * rate.eta + rate.theta * rate.theta;

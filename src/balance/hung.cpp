@@ -1,0 +1,403 @@
+#include "balance/hung.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "balance/phase.hpp"
+#include "balance/systems.hpp"
+
+namespace balance
+{
+namespace
+{
+
+using exact::Fifty;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The matrices of the linear motion with η = ϑ: stiffness (diagonal) and masses for φ, ω and both pans together.
+struct Matrices
+{
+  std::array<Fifty, 3> stiffness;
+  std::array<std::array<Fifty, 3>, 3> mass;
+};
+
+Matrices matrices_of(const Suspended& s)
+{
+  const auto& [a, b, c, kk, L, M, g] = s.beam;
+  const Fifty G = 2 * Fifty(g), h = s.movable ? s.h : 1, e = s.e;
+  const Fifty weight = Fifty(M) * c + 2 * Fifty(L) * e, all = Fifty(M) + 2 * Fifty(L);
+  const Fifty inertia = Fifty(M) * (Fifty(kk) + Fifty(c) * c) + 2 * Fifty(L) * (Fifty(a) * a + e * e);
+  const Fifty pans = 2 * Fifty(L) * b;
+  return {{G * all * h, G * weight, G * pans},
+          {{{all * h * h, h * weight, pans * h},
+            {h * weight, inertia, pans * e},
+            {pans * h, pans * e, pans * b}}}};
+}
+
+void check(const Suspended& s)
+{
+  numbers_of(s.beam);
+  const bool possible =
+      s.beam.L > 0 && std::isfinite(s.e) && (!s.movable || (s.h > 0 && std::isfinite(s.h)));
+  if(!possible)
+    throw std::domain_error("no such balance: L and h must be positive, e finite");
+}
+
+/// The numbers that move: 0, 1, 2 or, with C fixed, 1, 2.
+int first_of(const Suspended& s)
+{
+  return s.movable ? 0 : 1;
+}
+
+/// |stiffness − s·mass| as a polynomial of s, by its values' rule of Sarrus.
+std::array<Fifty, 4> characteristic(const Matrices& m, int first)
+{
+  const auto& k = m.stiffness;
+  const auto& M = m.mass;
+  const auto minor = [&M](int i, int j) {
+    const auto x = static_cast<std::size_t>(i), y = static_cast<std::size_t>(j);
+    return M[x][x] * M[y][y] - M[x][y] * M[x][y];
+  };
+  if(first == 1)
+    return {k[1] * k[2], -(k[1] * M[2][2] + M[1][1] * k[2]), minor(1, 2), 0};
+  const Fifty whole = M[0][0] * minor(1, 2) - M[0][1] * (M[0][1] * M[2][2] - M[1][2] * M[0][2])
+                      + M[0][2] * (M[0][1] * M[1][2] - M[1][1] * M[0][2]);
+  return {k[0] * k[1] * k[2], -(k[0] * k[1] * M[2][2] + k[0] * M[1][1] * k[2] + M[0][0] * k[1] * k[2]),
+          k[0] * minor(1, 2) + k[1] * minor(0, 2) + k[2] * minor(0, 1), -whole};
+}
+
+/// Newton's rule from a good beginning; a double root is reached by halves, which 200 steps allow.
+Fifty polished(const std::array<Fifty, 4>& c, Fifty s)
+{
+  for(int i = 0; i < 200; ++i)
+  {
+    const Fifty value = c[0] + s * (c[1] + s * (c[2] + s * c[3]));
+    const Fifty slope = c[1] + s * (2 * c[2] + s * (3 * c[3]));
+    if(value == 0 || slope == 0)
+      break;
+    const Fifty step = value / slope;
+    s -= step;
+    if(abs(step) <= abs(s) * Fifty("1e-45"))
+      break;
+  }
+  return s;
+}
+
+/// The squares of the frequencies with η = ϑ, in fifty digits, the least first.
+std::vector<Fifty> squares(const Suspended& s)
+{
+  check(s);
+  const Matrices m = matrices_of(s);
+  const int first = first_of(s), n = 3 - first;
+  Eigen::MatrixXd mass(n, n), stiffness = Eigen::MatrixXd::Zero(n, n);
+  // scaled so that the masses are of order 1
+  std::array<double, 3> scale{};
+  for(int i = first; i < 3; ++i)
+    scale[static_cast<std::size_t>(i)] =
+        static_cast<double>(sqrt(m.mass[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)]));
+  for(int i = 0; i < n; ++i)
+  {
+    const auto x = static_cast<std::size_t>(i + first);
+    stiffness(i, i) = static_cast<double>(m.stiffness[x]) / scale[x] / scale[x];
+    for(int j = 0; j < n; ++j)
+    {
+      const auto y = static_cast<std::size_t>(j + first);
+      mass(i, j) = static_cast<double>(m.mass[x][y]) / scale[x] / scale[y];
+    }
+  }
+  // Eigen's solver gives ordinary wrong numbers and "success" for masses that are none
+  const Eigen::LLT<Eigen::MatrixXd> factor(mass);
+  if(!mass.allFinite() || factor.info() != Eigen::Success)
+    throw std::domain_error("no such balance: its matrix of masses is not positive definite");
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass,
+                                                                         Eigen::EigenvaluesOnly);
+  const auto polynomial = characteristic(m, first);
+  std::vector<Fifty> found;
+  for(int i = 0; i < n; ++i)
+    found.push_back(polished(polynomial, solver.eigenvalues()[i]));
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// s − μ² for the mode with η = ϑ nearest to μ² where that is too small to be a difference: what is left of the pans'
+/// equation when φ and ω are eliminated, solved by repetition.
+Fifty beyond_pans(const Suspended& s, const Fifty& mu2)
+{
+  const Matrices m = matrices_of(s);
+  Fifty beyond = 0;
+  for(int i = 0; i < 8; ++i)
+  {
+    const Fifty square = mu2 + beyond;
+    const Fifty x = square * m.mass[0][2], y = square * m.mass[1][2];
+    const Fifty beam = m.stiffness[1] - square * m.mass[1][1];
+    if(s.movable)
+    {
+      const Fifty shears = m.stiffness[0] - square * m.mass[0][0], both = -square * m.mass[0][1];
+      beyond = -(x * x * beam - 2 * x * y * both + y * y * shears) / (shears * beam - both * both)
+               / m.mass[2][2];
+    }
+    else
+      beyond = -y * y / beam / m.mass[2][2];
+  }
+  return beyond;
+}
+
+/// What stiffness and masses leave of a mode: its shape is at right angles to two rows.
+std::array<Fifty, 3> shape_of(const Suspended& s, const Matrices& m, const Fifty& square)
+{
+  const int first = first_of(s);
+  std::array<std::array<Fifty, 3>, 3> row;
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t j = 0; j < 3; ++j)
+      row[i][j] = (i == j ? m.stiffness[i] : Fifty(0)) - square * m.mass[i][j];
+  if(first == 1)
+  {
+    const auto size = [](const Fifty& x, const Fifty& y) { return abs(x) + abs(y); };
+    const bool upper =
+        size(row[1][1], row[1][2]) / m.mass[1][1] >= size(row[2][1], row[2][2]) / m.mass[2][2];
+    return upper ? std::array<Fifty, 3>{0, -row[1][2], row[1][1]}
+                 : std::array<Fifty, 3>{0, -row[2][2], row[2][1]};
+  }
+  std::array<Fifty, 3> best;
+  Fifty largest = -1;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const auto &x = row[(i + 1) % 3], &y = row[(i + 2) % 3];
+    const std::array<Fifty, 3> across{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2],
+                                      x[0] * y[1] - x[1] * y[0]};
+    const Fifty size = (abs(across[0]) + abs(across[1]) + abs(across[2])) * m.mass[i][i];
+    if(size > largest)
+    {
+      largest = size;
+      best = across;
+    }
+  }
+  return best;
+}
+
+Mode mode_of(const Suspended& s, const Matrices& m, const Fifty& square)
+{
+  std::array<Fifty, 3> shape = shape_of(s, m, square);
+  std::size_t greatest = 0;
+  for(std::size_t i = 1; i < 3; ++i)
+    if(abs(shape[i]) > abs(shape[greatest]))
+      greatest = i;
+  const Fifty size = shape[greatest];
+  for(Fifty& x : shape)
+    x /= size;
+  Fifty mass = 0;
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t j = 0; j < 3; ++j)
+      mass += shape[i] * m.mass[i][j] * shape[j];
+  const Fifty frequency = sqrt(square);
+  const double rounded = square < 0 ? nan : static_cast<double>(frequency);
+  const auto x = [&shape](std::size_t i) { return static_cast<double>(shape[i]); };
+  return {static_cast<double>(square),
+          rounded,
+          square < 0 ? 0 : static_cast<double>(frequency - rounded),
+          {x(0), x(1), x(2), x(2)},
+          static_cast<double>(mass)};
+}
+
+systems::Hung system_of(const Suspended& s)
+{
+  check(s);
+  modes(s);  // refuses what has no masses
+  const Instrument& x = s.beam;
+  return {
+      2 * x.g, x.a, x.b, x.c, s.e, s.movable ? s.h : 1, x.kk + x.c * x.c, x.L / x.M, s.movable ? 1.0 : 0.0};
+}
+
+collocation::Moment<4> moment_of(const Suspended& s, const Full_state& now)
+{
+  if(!s.movable && (now.at.phi != 0 || now.rate.phi != 0))
+    throw std::domain_error("where C is fixed φ must be 0 and at rest");
+  return {{now.at.phi, now.at.omega, now.at.eta, now.at.theta},
+          {now.rate.phi, now.rate.omega, now.rate.eta, now.rate.theta}};
+}
+
+double fastest(const Suspended& s, const Full_state& start)
+{
+  double most = 0;
+  for(const Mode& m : modes(s))
+    most = std::max(most, std::sqrt(std::abs(m.square)));
+  const Four& v = start.rate;
+  return std::max({most, std::abs(v.phi), std::abs(v.omega), std::abs(v.eta), std::abs(v.theta)});
+}
+
+}  // namespace
+
+std::vector<Mode> modes(const Suspended& s)
+{
+  const Matrices m = matrices_of(s);
+  std::vector<Mode> all;
+  for(const Fifty& square : squares(s))
+    all.push_back(mode_of(s, m, square));
+  const Fifty square = 2 * Fifty(s.beam.g) / s.beam.b, frequency = sqrt(square);
+  const double rounded = static_cast<double>(frequency);
+  all.push_back({static_cast<double>(square),
+                 rounded,
+                 static_cast<double>(frequency - rounded),
+                 {0, 0, 1, -1},
+                 static_cast<double>(m.mass[2][2])});
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Mode& x, const Mode& y) { return x.square < y.square; });
+  return all;
+}
+
+Transfer transfer(const Suspended& s)
+{
+  const std::vector<Fifty> found = squares(s);
+  const auto& [a, b, c, kk, L, M, g] = s.beam;
+  const Fifty mu2 = 2 * Fifty(g) / b, mu = sqrt(mu2);
+  Fifty nearest = 0;
+  bool any = false;
+  for(const Fifty& square : found)
+    if(square > 0 && (!any || abs(square - mu2) < abs(nearest)))
+    {
+      nearest = square - mu2;
+      any = true;
+    }
+  if(!any)
+    throw std::domain_error("no such balance: it topples in every way");
+  if(abs(nearest) < mu2 * Fifty("1e-20"))
+    nearest = beyond_pans(s, mu2);
+  nearest /= sqrt(mu2 + nearest) + mu;
+  Fifty estimate;
+  const Fifty mu3 = mu2 * mu;
+  if(s.movable)
+    estimate =
+        2 * exact::pi() * abs(mu2 - 2 * Fifty(g) / s.h) * (Fifty(M) + 2 * Fifty(L)) / (2 * Fifty(L) * mu3);
+  else
+  {
+    const Fifty e = s.e;
+    const Fifty inertia = Fifty(M) * (Fifty(kk) + Fifty(c) * c) + 2 * Fifty(L) * (Fifty(a) * a + e * e);
+    const Fifty lambda2 = 2 * Fifty(g) * (Fifty(M) * c + 2 * Fifty(L) * e) / inertia;
+    estimate = exact::pi() * abs(mu2 - lambda2) * inertia / (Fifty(L) * e * e * mu3);
+  }
+  return {static_cast<double>(nearest), static_cast<double>(exact::pi() / abs(nearest)),
+          static_cast<double>(estimate)};
+}
+
+Full_state linear_motion(const Suspended& s, const Full_state& start, double t)
+{
+  const Matrices m = matrices_of(s);
+  const auto inner = [&m](const Four& x, const Four& y) {  // with the masses, all four angles
+    const auto M = [&m](std::size_t i, std::size_t j) { return static_cast<double>(m.mass[i][j]); };
+    const double x2 = (x.eta + x.theta) / 2, y2 = (y.eta + y.theta) / 2;
+    const double apart = (x.eta - x.theta) * (y.eta - y.theta) / 4;
+    return x.phi * (M(0, 0) * y.phi + M(0, 1) * y.omega + M(0, 2) * y2)
+           + x.omega * (M(1, 0) * y.phi + M(1, 1) * y.omega + M(1, 2) * y2)
+           + x2 * (M(2, 0) * y.phi + M(2, 1) * y.omega + M(2, 2) * y2) + M(2, 2) * apart;
+  };
+  Full_state now;
+  for(const Mode& mode : modes(s))
+  {
+    const double at = inner(mode.shape, start.at) / mode.per_start,
+                 rate = inner(mode.shape, start.rate) / mode.per_start;
+    double x = 0, v = 0;
+    if(mode.square > 0)
+    {
+      const auto [sine, cosine] = phase(Rate<double>{mode.frequency, mode.frequency_lost}, t);
+      x = at * cosine + rate / mode.frequency * sine;
+      v = rate * cosine - at * mode.frequency * sine;
+    }
+    else if(mode.square < 0)
+    {
+      const double k = std::sqrt(-mode.square);
+      x = at * std::cosh(k * t) + rate / k * std::sinh(k * t);
+      v = rate * std::cosh(k * t) + at * k * std::sinh(k * t);
+    }
+    else
+    {
+      x = at + rate * t;
+      v = rate;
+    }
+    const auto add = [&mode](Four& to, double by) {
+      to.phi += mode.shape.phi * by;
+      to.omega += mode.shape.omega * by;
+      to.eta += mode.shape.eta * by;
+      to.theta += mode.shape.theta * by;
+    };
+    add(now.at, x);
+    add(now.rate, v);
+  }
+  return now;
+}
+
+Energies energies(const Suspended& s, const Full_state& now)
+{
+  const Instrument& x = s.beam;
+  const auto& [at, v] = now;
+  const double G = 2 * x.g, h = s.movable ? s.h : 1;
+  const auto height = [](double angle) {  // 1 − cos
+    const double half = elementary::sin(angle / 2);
+    return 2 * half * half;
+  };
+  using elementary::cos;
+  using elementary::sin;
+  const double weight = x.M * x.c + 2 * x.L * s.e;
+  const double inertia = x.M * (x.kk + x.c * x.c) + 2 * x.L * (x.a * x.a + s.e * s.e);
+  const auto pan = [&](double angle, double rate) {
+    return x.L * x.b * (x.b * rate * rate / (2 * G) + height(angle));
+  };
+  const double across_A = s.e * cos(at.omega - at.eta) - x.a * sin(at.omega - at.eta);
+  const double across_B = s.e * cos(at.omega - at.theta) + x.a * sin(at.omega - at.theta);
+  const double coupled =
+      weight * h * cos(at.phi - at.omega) * v.phi * v.omega
+      + x.L * x.b * h * v.phi * (cos(at.phi - at.eta) * v.eta + cos(at.phi - at.theta) * v.theta)
+      + x.L * x.b * v.omega * (across_A * v.eta + across_B * v.theta);
+  const double own = ((x.M + 2 * x.L) * h * h * v.phi * v.phi + inertia * v.omega * v.omega) / 2;
+  const double raised = (x.M + 2 * x.L) * h * height(at.phi) + weight * height(at.omega);
+  return {pan(at.eta, v.eta), pan(at.theta, v.theta), (own + coupled) / G + raised};
+}
+
+struct Full_motion::Inner
+{
+  Suspended s;
+  Full_state now;
+  double start_energy;
+  collocation::Motion<systems::Hung> motion;
+
+  double energy() const
+  {
+    const auto [P, Q, rest] = energies(s, now);
+    return P + Q + rest;
+  }
+
+  Inner(const Suspended& of, const Full_state& start, double tolerance)
+      : s(of), now(start), start_energy(energy()),
+        motion(system_of(of), moment_of(of, start), {tolerance, 0.125 / fastest(of, start)},
+               systems::best().hung)
+  {
+  }
+};
+
+Full_motion::Full_motion(const Suspended& s, const Full_state& start, double tolerance)
+    : inner_(std::make_unique<Inner>(s, start, tolerance))
+{
+}
+Full_motion::~Full_motion() = default;
+Full_motion::Full_motion(Full_motion&&) noexcept = default;
+Full_motion& Full_motion::operator=(Full_motion&&) noexcept = default;
+
+const Full_state& Full_motion::to(double t)
+{
+  const auto [x, v] = inner_->motion.to(t);
+  return inner_->now = {{x[0], x[1], x[2], x[3]}, {v[0], v[1], v[2], v[3]}};
+}
+
+double Full_motion::energy_drift() const
+{
+  const double change = std::abs(inner_->energy() - inner_->start_energy);
+  return inner_->start_energy == 0 ? change : change / std::abs(inner_->start_energy);
+}
+
+}  // namespace balance

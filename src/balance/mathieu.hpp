@@ -1,0 +1,79 @@
+/// @file
+/// A pan under a beam that swings whatever the pans do (§15): Mathieu's equation, its exponents from its own solutions,
+/// its characteristic values from a matrix of its own.
+///
+/// With ω = m cos λt and p = am/b the pan P has y″ = −(μ² − pλ² cos λt) y, which is Mathieu's equation in z = ½λt with
+/// a = 4μ²/λ² and q = 2p. Q has −p, that is P half a period later.
+#pragma once
+
+#include <vector>
+
+namespace balance
+{
+
+/// The equation, in its three numbers.
+struct Prescribed_beam
+{
+  double mu;      ///< the pan's frequency, 1/s
+  double lambda;  ///< the beam's, 1/s
+  double p;       ///< am/b: by how much A's acceleration changes the pan's weight, in units of λ²/μ²
+};
+
+/// What becomes of a pan in the long run.
+struct Floquet
+{
+  double q;           ///< 2p, Mathieu's
+  double a;           ///< 4μ²/λ², Mathieu's
+  double half_trace;  ///< of the change of (y, y′) in a period of the beam; beyond ±1 the pan's swings grow
+  double frequency;  ///< mean frequency, 1/s; where the swings grow, the multiple of ½λ that they keep to
+  double shift;      ///< frequency − μ, to full relative precision where the swings do not grow
+  double growth;     ///< rate at which they grow, 1/s; 0 where they do not
+};
+
+/// From two solutions over half a period of the beam, integrated to rounding, and the recurrence between the lines of the
+/// spectrum. Relative errors below 1e-10 (tests/balance_mathieu.cpp) for |p| ≤ 1 and μ ≤ 20 λ.
+/// @throws std::domain_error unless μ, λ > 0 and all is finite; std::runtime_error if the equation cannot be integrated
+Floquet floquet(const Prescribed_beam& of);
+
+/// A pan's place and speed.
+struct Pan
+{
+  double y;     ///< its inclination
+  double rate;  ///< in 1/s
+};
+
+/// The pan at the time t, from `start` at t = 0 when the beam is farthest out: whole periods by powers of the change in
+/// one, the rest by integration.
+/// @throws std::domain_error as floquet() does, or unless 0 ≤ t < 10⁶ periods of the beam
+Pan pan_under(const Prescribed_beam& of, const Pan& start, double t);
+
+/// A characteristic value of Mathieu's equation y″ + (a − 2q cos 2z) y = 0 with its function.
+struct Characteristic
+{
+  double value;  ///< a
+  std::vector<double>
+      coefficients;  ///< of cos or sin of the angles 2k z or (2k+1) z, from the lowest, squares adding up
+                     ///< to 1 (the first of the even cosines doubled); the function is positive at 0, or
+                     ///< rises there
+  int first;         ///< the lowest multiple of z: 0, 1 or 2
+  double residual;   ///< the length of what the equation leaves of them
+};
+
+/// aₙ(q), of cosines, n ≥ 0; bₙ(q), of sines, n ≥ 1: the eigenvalues of a symmetric tridiagonal matrix (Eigen). Absolute
+/// error below 1e-11 for n ≤ 40, |q| ≤ 10⁴; relative to the largest of 1, n², q below 1e-14.
+/// @throws std::domain_error unless 0 ≤ n ≤ 200 (1 ≤ n for sines) and |q| ≤ 10⁶
+Characteristic cosine_characteristic(int n, double q);
+Characteristic sine_characteristic(int n, double q);
+
+/// Between which beam frequencies λ a pan's swings grow.
+struct Interval
+{
+  double from;  ///< in 1/s
+  double to;    ///< in 1/s
+};
+
+/// The interval about λ = 2μ/order, for order 1, 2, …; q does not depend on λ, so that its ends are 2μ/√a and 2μ/√b.
+/// @throws std::domain_error unless order ≥ 1, μ > 0, |p| < ½ and all is finite
+Interval unstable(double mu, double p, int order);
+
+}  // namespace balance
