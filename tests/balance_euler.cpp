@@ -202,7 +202,7 @@ TEST_CASE("the formulae of § 33 and the complete second order keep their digits
       const auto w = widened(r);
       const double growth =
           1 + std::abs(r.i) * t * (1 + r.lambda) + 1e-3 / r.i * (r.i < 1e-50 ? 1e-3 * t : 0);
-      const Angles<Fifty> left = less(complete(r, t), complete<Fifty>(w, t));
+      const Angles<Fifty> left = less(second_order(r, t), second_order<Fifty>(w, t));
       CHECK(abs(left.eta) <= 1e-15 * growth);
       CHECK(abs(left.theta) <= 1e-15 * growth);
       if(r.i > 1e-50)
@@ -231,9 +231,9 @@ TEST_CASE("the formula of § 33 by its printed example; its start; the corrected
   const Angles<> right = euler_corrected(example_of_35, 0.0);
   CHECK(right.eta == within_ulps(1. / 6, 1, "a product and a quotient"));
   CHECK(right.theta == within_ulps(1. / 6, 1, "the same"));
-  CHECK(complete(example_of_35, 0.0).eta == 1. / 6);
+  CHECK(second_order(example_of_35, 0.0).eta == 1. / 6);
   const Release opened{1, 3, 0.25, {1. / 6, 0, 0}, 0.25};
-  CHECK(complete(opened, 1.0).eta
+  CHECK(second_order(opened, 1.0).eta
         == within(Fifty("-0.00159401572237029"), 1e-17, "to the digits that stand here"));
 }
 

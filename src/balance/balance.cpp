@@ -44,7 +44,7 @@ double driven(double q, double p, double t)
 
 Angles<> second_order(const Balance<>& b, const Angles<>& released, double t)
 {
-  return complete_of(std::sqrt(b.lambda2), std::sqrt(b.mu2), b.beta, b.rho, released, t);
+  return second_order_of(std::sqrt(b.lambda2), std::sqrt(b.mu2), b.beta, b.rho, released, t);
 }
 
 }  // namespace balance

@@ -186,15 +186,15 @@ Angles<Number> euler_corrected(const ReleaseOf<Number>& r, const Number& t)
           n1 * (alone - strays) / (less * more - K)};
 }
 
-// [complete]
+// [second]
 /// The motion from rest, complete to the second order of the angles; the third is missing.
 ///
 /// Of what it adds to n cos μt, Euler has the forced part of the product term alone: not its free part, not the term
 /// of A's and B's arcs, and nothing for the beam. No divisor vanishes, neither at λ = 2μ nor at μ = 2λ.
 /// Source: perturbation of the cubic Lagrangian Lab[(½ω²)″(η − ϑ) − ½ω̈(η² − ϑ²)].
 template <class Number>
-Angles<Number> complete_of(const Number& lambda, const Number& mu, const Number& beta, const Number& rho,
-                           const Angles<Number>& released, const Number& t)
+Angles<Number> second_order_of(const Number& lambda, const Number& mu, const Number& beta,
+                               const Number& rho, const Angles<Number>& released, const Number& t)
 {
   const auto& [m, n, n1] = released;
   const Rate<Number> beam{lambda}, pan{mu},
@@ -210,13 +210,13 @@ Angles<Number> complete_of(const Number& lambda, const Number& mu, const Number&
   return {m * phase(beam, t).cosine + rho / beta * (pulled - turned), n * alone + n * product - arc,
           n1 * alone - n1 * product + arc};
 }
-// [complete]
+// [second]
 
 /// The same in the letters of §33.
 template <class Number>
-Angles<Number> complete(const ReleaseOf<Number>& r, const Number& t)
+Angles<Number> second_order(const ReleaseOf<Number>& r, const Number& t)
 {
-  return complete_of<Number>(r.lambda, r.mu, 2 * r.i / r.lambda, r.rho, r.at, t);
+  return second_order_of<Number>(r.lambda, r.mu, 2 * r.i / r.lambda, r.rho, r.at, t);
 }
 
 /// A beam whose centre of gravity lies above C, κ = √(2gM|c|/I) taking λ's place as λ = κ√−1 (§21): ω = m cosh κt, and
