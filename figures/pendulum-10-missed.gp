@@ -10,7 +10,7 @@ set ylabel "in units of Θ" offset -0.5, 0
 set label "T/Θ − 1" at 0.7, 3e-4 textcolor linetype 1
 set label "missed by the rule" at 3, 1e-9 textcolor linetype 2
 set label "bounds" at 60, 3 right textcolor linetype 6
-plot tsv("pendulum-10.missed") using "zeta":"least" with lines linetype 6, \
+plot tsv("pendulum-10.corrections") using "zeta":"least" with lines linetype 6, \
      "" using "zeta":"most" with lines linetype 6, \
      "" using "zeta":"excess" with lines linetype 1, \
      "" using "zeta":"missed" with lines linetype 2

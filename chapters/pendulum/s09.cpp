@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "pendulum/series.hpp"
+#include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
 SECTION(pendulum, 9, "The time of a swing, and the length of the seconds pendulum")
@@ -14,7 +15,7 @@ The time of a whole swing is twice that of half a swing, and for infinitely smal
 of the seconds pendulum. By {{sec pendulum.08}} the time $T = 2t$ of one swing, from side to side, is
 
 $$ \begin{aligned} T = \frac{\pi\sqrt b}{\sqrt{2g}}\Bigl(1
-   &+ \frac{1^2}{2^2}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 \\
+   &+ \frac{1^2}{2^2}{{entry first_coefficient}}cc + \frac{1^2\cdot3^2}{2^2\cdot4^2}c^4 \\
    &+ \frac{1^2\cdot3^2\cdot5^2}{2^2\cdot4^2\cdot6^2}c^6 \\
    &+ \frac{1^2\cdot3^2\cdot5^2\cdot7^2}{2^2\cdot4^2\cdot6^2\cdot8^2}c^8 + \text{etc.}\Bigr).
    \end{aligned} \tag{1} $$
@@ -34,7 +35,7 @@ the axis $A$. For a pendulum that swings once a second this must be 1, and its l
 
 $$ b = \frac{2g}{\pi^2}. \tag{3} $$
 
-In Rhenish feet $g = 15\tfrac58$ and $2g = 31\tfrac14$, and he finds $b = 3{,}16621$. With a longer or a
+In Rhenish feet $g = 15\tfrac58$ and $2g = 31\tfrac14$ {{entry fall}}, and he finds $b = 3{,}16621$ {{entry length}}. With a longer or a
 shorter pendulum the times are, as is commonly known, as the square roots of the lengths $b$; but it must be
 kept in mind, he adds, that infinitely small swings are meant.
 
@@ -45,7 +46,7 @@ Lengths are in feet, as his; any other unit will do if $g$ is in it too (`--g 4.
 
 double small_swing(double b, double g)  // (2)
 {
-  return std::numbers::pi * std::sqrt(b) / std::sqrt(2 * g);
+  return std::numbers::pi * (std::sqrt(b) / std::sqrt(2 * g));
 }
 
 double whole_swing(double b, double g, double c, int terms)  // (1)
@@ -68,8 +69,18 @@ double wide_length(double g, Amplitude amplitude)
   return seconds_length(g) / std::pow(swing::ratio(amplitude), 2);
 }
 
-const auto g = real("g", 15.625, feet, positive, "height fallen in the first second");
-const auto b = real("b", 3.16621, feet, positive, "length of the equivalent simple pendulum");
+double fall_for(double length)  // the g by (3)
+{
+  return length / seconds_length(1);
+}
+
+double gained_in_a_day(double length, double fall)
+{
+  return 86400 * (1 / small_swing(length, fall) - 1);
+}
+
+const auto g = real("g", 15.625, feet, scale, "height fallen in the first second");
+const auto b = real("b", 3.16621, feet, scale, "length of the equivalent simple pendulum");
 const auto swing_ = amplitude(0_deg, from_below(0_deg, 180_deg));
 const auto terms = integer("N", 5, 1, 1'000'000, "terms of (1) that are kept; Euler writes five");
 
@@ -81,13 +92,13 @@ TELL
   tell("small", small_swing(b, g), seconds, "time of one infinitely small swing");
   tell("seconds_length", seconds_length(g), feet, "length that beats seconds in infinitely small swings");
   tell("wide_length", wide_length(g, wide), feet, "the same in swings of this amplitude");
-  tell("needed", 3.16621 / seconds_length(1), feet, "the g for which 3,16621 would be right");
-  tell("gained", 86400 * (1 / small_swing(3.16621, 15.625) - 1), seconds,
-       "what a clock with 3,16621 ft gains in a day");
+  tell("needed", fall_for(3.16621), feet, "the g for which 3,16621 would be right");
+  tell("gained", gained_in_a_day(3.16621, 15.625), seconds, "what a clock with 3,16621 ft gains in a day",
+       6);
 }
 
 /*!
-The printed length is not quite what {{eq 3}} gives. The table tries the two readings of $g$, two usual values
+The length in our copy is not quite what {{eq 3}} gives. The table tries the two readings of $g$, two usual values
 of π, and a reckoning by logarithms of five places, first as it should be and then with its last place one
 too small.
 */
@@ -95,8 +106,8 @@ too small.
 TELL
 {
   auto& rows =
-      table("candidates", "Ways to the length of the seconds pendulum; printed is 3,16621",
-            {{"way", "way"}, {"b", "b", feet, 6}, {"off", "off the printed", Unit{"10⁻⁵ ft", 1e5}, 3}});
+      table("candidates", "Ways to the length of the seconds pendulum; our copy has 3,16621",
+            {{"way", "way"}, {"b", "b", feet, 6}, {"off", "off 3,16621", Unit{"10⁻⁵ ft", 1e5}, 3}});
   const auto row = [&](const char* way, double length) { rows.row({way, length, length - 3.16621}); };
   row("2g = 31", seconds_length(15.5));
   row("2g = 31¼", seconds_length(15.625));
@@ -125,8 +136,8 @@ TELL
 
 /*!
 The reading of $g$ is certain: 31 feet make a length that is wrong in its second decimal. The last digit of
-3,16621 is another matter. {{eq 3}} gives {{seconds_length|6}} feet; no usual value of π leads to what is
-printed, and $g$ would have to be {{needed|7}}. A slip of one in the fifth place of a logarithm leads there to
+3,16621 is another matter. {{eq 3}} gives {{seconds_length|6}} feet; neither 22/7 nor 3.1416 for π leads to 3.16621,
+and $g$ would have to be {{needed|7}}. A slip of one in the fifth place of a logarithm leads there to
 the last digit; but a 9 read or set as a 1 would do as well. A clock with this pendulum would gain
 {{gained|2}} seconds a day.
 
@@ -166,7 +177,7 @@ CHECK_THAT(
 }
 
 /*!
-In the scan the two numbers for $g$ have lost the last stroke of an eighth and a quarter. They agree with each
+In our copy the two numbers for $g$ have lost the last stroke of an eighth and a quarter. They agree with each
 other, 31 being twice 15½, but not with the length printed beside them.
 */
 
@@ -201,3 +212,78 @@ const Emendation first_coefficient{
       const Fifty c = Fifty(1e-6);
       return reading == within((ratio_by_mean(2 * acos(c)) - 1) / (c * c), 1e-12, "the next term, 9/64 cc");
     }};
+
+/*!
+What is told, at Euler's feet, in metres for a wide swing, and for a hair from the top:
+*/
+
+CHECK_THAT("times and lengths told are those of the formula and of the oracle's time")
+{
+  for(const Told& now :
+      told_at("", "g=4.903325 b=1 zeta=150 N=40", "eta=1e-9 g=1e-90 b=1e90 N=2", "zeta=1e-6 N=1"))
+  {
+    const Fifty T = swing::oracle::ratio_from_top(swing_.eta.fifty()),
+                cc = pow(sin(swing_.zeta.fifty() / 2), 2);
+    const Fifty small = exact::pi() * sqrt(b.fifty() / (2 * g.fifty())),
+                length = 2 * g.fifty() / pow(exact::pi(), 2);
+    Fifty bracket = 0;
+    for(int i = 0; i < terms; ++i)
+      bracket += static_cast<Fifty>(pow(exact::double_factorial_ratio(i), 2)) * pow(cc, i);
+    CHECK(now.value("small", seconds) == within_relative(small, 6e-16, "two roots, two factors"));
+    CHECK(now.value("T", seconds) == within_relative(small * T, 8e-16, "and the library's ulp"));
+    CHECK(now.value("kept", seconds) == within_relative(small * bracket, 3e-15, "and the terms"));
+    CHECK(now.value("seconds_length", feet)
+          == within_relative(length, 5e-16, "two factors and a quotient"));
+    CHECK(now.value("wide_length", feet)
+          == within_relative(length / (T * T), 2e-15, "the ratio counts twice"));
+    CHECK(now.value("needed", feet)
+          == within_relative(Fifty("3.16621") * pow(exact::pi(), 2) / 2, 6e-16, "as above"));
+    const Fifty beat = exact::pi() * sqrt(Fifty("3.16621") / Fifty("31.25"));
+    CHECK(now.value("gained", seconds) == within(86400 / beat - 86400, 4e-11, "a day's seconds, rounded"));
+  }
+}
+
+CHECK_THAT("the table's lengths are those of their ways, and stand so far off")
+{
+  for(const Told& now : told_at(""))
+  {
+    const auto rows = now.rows("candidates");
+    const Fifty ten(10), pp = pow(exact::pi(), 2);
+    const std::array<Fifty, 6> lengths{31 / pp,
+                                       Fifty("31.25") / pp,
+                                       Fifty("31.25") * 49 / 484,
+                                       Fifty("31.25") / pow(Fifty("3.1416"), 2),
+                                       pow(ten, Fifty("0.50055")),
+                                       pow(ten, Fifty("0.50054"))};
+    for(std::size_t i = 0; i < lengths.size(); ++i)
+    {
+      CHECK(rows.at(i).value("b", feet) == within_relative(lengths[i], 6e-16, "few roundings"));
+      CHECK(rows.at(i).value("off", Unit{"10⁻⁵ ft", 1e5})
+            == within(lengths[i] - Fifty("3.16621"), 2e-15, "a difference"));
+    }
+  }
+}
+
+CHECK_THAT("the figure's lines are the times at four amplitudes, its points the lengths that beat seconds")
+{
+  for(const Told& now : told_at(""))
+  {
+    const std::array<int, 4> degrees_{0, 90, 150, 175};
+    const auto ratio = [](int degree) {
+      return swing::oracle::ratio_from_bottom(degree * exact::pi() / 180);
+    };
+    for(const auto& point : now.points("lengths"))
+    {
+      const Fifty small = exact::pi() * sqrt(Fifty(point.at("b")) / (2 * g.fifty()));
+      for(const auto& [column, degree] :
+          {std::pair{"T0", 0}, std::pair{"T90", 90}, std::pair{"T150", 150}, std::pair{"T175", 175}})
+        CHECK(point.value(column)
+              == within_relative(small * ratio(degree), 3e-15, "ζ rounds, near the top more"));
+    }
+    const auto beat = now.points("beat");
+    for(std::size_t i = 0; i < 4; ++i)
+      CHECK(beat.at(i).value("b")
+            == within_relative(2 * g.fifty() / pow(exact::pi() * ratio(degrees_[i]), 2), 6e-15,
+                               "the ratio twice"));
+  }
+}
