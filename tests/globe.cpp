@@ -1,20 +1,15 @@
 /// @file
-/// The globe's library: Carlson's integrals against closed values, their defining integrals and GSL; the
-/// equations of motion against Newton's laws; the time to the top against its integral.
+/// The globe's library: the equations of motion against Newton's laws; the time to the top against its integral.
 #include <doctest/doctest.h>
-#include <gsl/gsl_sf_ellint.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <random>
 #include <stdexcept>
 
 #include "edition/compare.hpp"
 #include "exact/quadrature.hpp"
 #include "globe/ball.hpp"
-#include "globe/carlson.hpp"
 #include "globe/gauss.hpp"
 #include "globe/time.hpp"
 
@@ -39,17 +34,6 @@ private:
   std::uniform_real_distribution<double> exponent_;
 };
 
-/// ∫₀^∞ f(t) dt with t = u/(1−u); `f` decays at least as t^(-3/2).
-Fifty to_infinity(const std::function<Fifty(const Fifty&)>& f)
-{
-  const auto folded = [&](const Fifty& u, const Fifty& to_end) {
-    const Fifty rest = to_end > 0 ? to_end : 1 - u;
-    const Fifty t = (to_end > 0 ? u : -to_end) / rest;
-    return f(t) / (rest * rest);
-  };
-  return exact::integrate_from_ends(folded, 0, 1).value;
-}
-
 /// τ of Case II by the integral of §13 in v = sin ½Φ, its logarithm split off.
 Fifty time_by_integral(const Fifty& c, const Fifty& k, const Fifty& omega)
 {
@@ -60,73 +44,6 @@ Fifty time_by_integral(const Fifty& c, const Fifty& k, const Fifty& omega)
 }
 
 }  // namespace
-
-TEST_CASE("Carlson's integrals have the lemniscate's closed values")
-{
-  const Fifty two_pi = 2 * exact::pi();
-  const Fifty quarter = pow(tgamma(Fifty(0.25)), 2) / (4 * sqrt(two_pi));
-  CHECK(R_F<Fifty>(0, 1, 2) == within_relative(quarter, 1e-48, "fifteen steps of fifty digits"));
-  const Fifty b = pow(tgamma(Fifty(0.75)), 2) / sqrt(two_pi);
-  CHECK(R_D<Fifty>(0, 2, 1) == within_relative(3 * b, 1e-48, "fifteen steps of fifty digits"));
-}
-
-TEST_CASE("Carlson's integrals are what they are defined to be")
-{
-  const Fifty x = 0.25, y = 1, z = 3;
-  const auto root = [&](const Fifty& t) { return sqrt((t + x) * (t + y) * (t + z)); };
-  const Fifty first = to_infinity([&](const Fifty& t) { return 1 / (2 * root(t)); });
-  CHECK(R_F(x, y, z) == within_relative(first, 1e-38, "the oracle's own bound"));
-  for(const double p : {1e-3, 0.25, 2.0, 50.0})
-  {
-    const Fifty third = to_infinity([&](const Fifty& t) { return Fifty(1.5) / ((t + p) * root(t)); });
-    CHECK(R_J(x, y, z, Fifty(p)) == within_relative(third, 1e-38, "the oracle's own bound"));
-  }
-}
-
-TEST_CASE("Carlson's integrals in double keep what they promise")
-{
-  Spread spread(6);
-  double worst_F = 0, worst_J = 0, worst_D = 0;
-  for(int i = 0; i < 500; ++i)
-  {
-    const double x = spread(), y = spread(), z = spread();
-    const double p = spread();
-    worst_F = std::max(worst_F, exact::ulps(R_F(x, y, z), R_F(Fifty(x), Fifty(y), Fifty(z))));
-    worst_D = std::max(worst_D, exact::ulps(R_D(x, y, z), R_D(Fifty(x), Fifty(y), Fifty(z))));
-    worst_J = std::max(worst_J, exact::ulps(R_J(x, y, z, p), R_J(Fifty(x), Fifty(y), Fifty(z), Fifty(p))));
-  }
-  CHECK(worst_F <= 6);
-  CHECK(worst_D <= 8);
-  CHECK(worst_J <= 8);
-}
-
-TEST_CASE("Carlson's integrals agree with GSL's")
-{
-  Spread spread(2);
-  for(int i = 0; i < 100; ++i)
-  {
-    const double x = spread(), y = spread(), z = spread(), p = spread();
-    const char* const because = "GSL stops its series at 10⁻³ of spread and sums a few hundred roundings";
-    CHECK(R_F(x, y, z) == within_relative(gsl_sf_ellint_RF(x, y, z, GSL_PREC_DOUBLE), 2e-14, because));
-    CHECK(R_D(x, y, z) == within_relative(gsl_sf_ellint_RD(x, y, z, GSL_PREC_DOUBLE), 2e-14, because));
-    CHECK(R_J(x, y, z, p)
-          == within_relative(gsl_sf_ellint_RJ(x, y, z, p, GSL_PREC_DOUBLE), 2e-14, because));
-  }
-}
-
-TEST_CASE("Carlson's integrals refuse what they are not defined for")
-{
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinite = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_AS(R_F(-1.0, 1.0, 1.0), std::domain_error);
-  CHECK_THROWS_AS(R_F(0.0, 0.0, 1.0), std::domain_error);
-  CHECK_THROWS_AS(R_F(nan, 1.0, 1.0), std::domain_error);
-  CHECK_THROWS_AS(R_F(1.0, 1.0, infinite), std::domain_error);
-  CHECK_THROWS_AS(R_J(1.0, 2.0, 3.0, 0.0), std::domain_error);
-  CHECK_THROWS_AS(R_J(1.0, 2.0, 3.0, -1.0), std::domain_error);
-  CHECK_THROWS_AS(R_J(1.0, 2.0, 3.0, nan), std::domain_error);
-  CHECK_THROWS_AS(R_D(1.0, 2.0, 0.0), std::domain_error);
-}
 
 TEST_CASE("the accelerations fulfil Euler's equations, whatever the friction")
 {

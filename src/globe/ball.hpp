@@ -27,6 +27,26 @@ inline const Ball<Real> our_ball{1, Real(1) / 10, Real(3) / 5};
 /// The height fallen in the first second, in feet: 15⅝.
 template <class Real>
 inline const Real our_g = Real(125) / 8;
+/// A cradle, far from Euler's small c: its centre of gravity lies halfway to the surface.
+template <class Real>
+inline const Ball<Real> cradle{1, Real(1) / 2, Real(1) / 2};
+/// The height fallen in the unit of time where the cradle is told of: then 2g = 1.
+template <class Real>
+inline const Real cradle_g = Real(1) / 2;
+
+/// bb = (a − c)² + kk, the moment of inertia about the lowest point over the weight (§30).
+template <class Real>
+Real bb(const Ball<Real>& ball)
+{
+  return (ball.a - ball.c) * (ball.a - ball.c) + ball.k * ball.k;
+}
+
+/// BB = (a + c)² + kk, the same about the highest point.
+template <class Real>
+Real BB(const Ball<Real>& ball)
+{
+  return (ball.a + ball.c) * (ball.a + ball.c) + ball.k * ball.k;
+}
 
 /// The accelerations of G and of the angle, and what the plane bears.
 template <class Real>

@@ -1,5 +1,5 @@
 /// @file
-/// The Gauss-Legendre rule with a fixed number of nodes, for the comparisons of quadratures.
+/// The Gauss-Legendre rule with a fixed number of nodes, for the times of the ball and the comparisons of quadratures.
 #pragma once
 
 #include <vector>
@@ -11,6 +11,13 @@ namespace globe
 class Gauss
 {
 public:
+  /// Where f is asked, and what its value counts.
+  struct Node
+  {
+    double x;       ///< from −1 to 1
+    double weight;  ///< all together 2
+  };
+
   /// The rule with n nodes, exact for polynomials below the degree 2n. n ≥ 1, else std::invalid_argument.
   /// Source: gsl_integration_glfixed, tabulated for n ≤ 20 and found by Newton's method for most others.
   explicit Gauss(int n);
@@ -25,12 +32,10 @@ public:
     return sum * (b - a) / 2;
   }
 
+  /// The nodes for the interval from −1 to 1.
+  const std::vector<Node>& nodes() const { return nodes_; }
+
 private:
-  struct Node
-  {
-    double x;
-    double weight;
-  };
   std::vector<Node> nodes_;
 };
 

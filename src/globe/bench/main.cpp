@@ -1,0 +1,132 @@
+/// @file
+/// bench-globe: Carlson's integrals, the times of the ball and its way with friction, ours and the usual libraries'
+/// side by side in one process, speed and error in one row.
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "race/race.hpp"
+#include "scenes.hpp"
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+std::string processor()
+{
+  std::ifstream info("/proc/cpuinfo");
+  for(std::string line; std::getline(info, line);)
+    if(line.starts_with("model name"))
+      return line.substr(line.find(": ") + 2);
+  return "unknown";
+}
+
+// Three digits: what a table shows, and more than a repeated run keeps.
+double three_digits(double x)
+{
+  return std::strtod(fmt::format("{:.3g}", x).c_str(), nullptr);
+}
+
+Json report(const bench::Scene& scene, bool errors_only, race::Options options)
+{
+  Json json{{"name", scene.name},
+            {"quantity", scene.quantity},
+            {"error_unit", scene.unit},
+            {"peer", scene.methods[0].name}};
+  json["methods"] = Json::array();
+  std::vector<race::Entrant> entrants;
+  std::vector<double> out(scene.size);
+  for(const bench::Method& method : scene.methods)
+  {
+    method.run(out);
+    const bench::Error e = bench::judge(scene, out);
+    Json row{{"name", method.name}, {"kind", method.kind}};
+    row["ulps_max"] = e.failures == e.judged ? Json("nan") : Json(three_digits(e.worst));
+    row["ulps_mean"] = e.failures == e.judged ? Json("nan") : Json(three_digits(e.mean));
+    row["failures"] = e.failures;
+    row["judged"] = e.judged;
+    json["methods"].push_back(row);
+    entrants.push_back({method.name,
+                        [&method, &out] {
+                          method.run(out);
+                          race::keep(out.front());
+                        },
+                        scene.size});
+  }
+  if(errors_only)
+    return json;
+  const std::vector<race::Timing> timings = race::run(entrants, options);
+  for(std::size_t i = 0; i < timings.size(); ++i)
+  {
+    json["methods"][i]["seconds"] = three_digits(timings[i].seconds);
+    json["methods"][i]["ratio"] = three_digits(timings[i].ratio);
+  }
+  return json;
+}
+
+void print(const Json& scene, bool errors_only)
+{
+  fmt::print("\n{}: {}\n  errors in {}, speed as a multiple of the first\n",
+             scene["name"].get<std::string>(), scene["quantity"].get<std::string>(),
+             scene["error_unit"].get<std::string>());
+  for(const Json& row : scene["methods"])
+  {
+    fmt::print("  worst {:>9} mean {:>9} failures {:>4}", row["ulps_max"].dump(), row["ulps_mean"].dump(),
+               row["failures"].get<std::size_t>());
+    if(!errors_only)
+      fmt::print("  {:>9.4g} ns {:>7.3g}x", row["seconds"].get<double>() * 1e9,
+                 1 / row["ratio"].get<double>());
+    fmt::print("  {}\n", row["name"].get<std::string>());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app{
+      "The globe's integrals and times: speed against error, ours and the usual libraries' in one run."};
+  bool as_json = false;
+  bool errors_only = false;
+  int rounds = 11;
+  std::string wanted;
+  app.add_flag("--json", as_json, "print JSON");
+  app.add_flag("--errors-only", errors_only, "no timing: the same bytes in every run");
+  app.add_option("--rounds", rounds, "rounds of each race")->check(CLI::Range(1, 1000));
+  app.add_option("--scene", wanted, "only scenes whose name contains this");
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch(const CLI::ParseError& e)
+  {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  Json json;
+  if(!errors_only)
+  {
+    json["machine"] = processor();
+    json["compiler"] = GLOBE_COMPILER;
+    json["flags"] = GLOBE_FLAGS;
+    json["rounds"] = rounds;
+  }
+  json["scenes"] = Json::array();
+  for(const bench::Lazy& lazy : bench::all_scenes())
+  {
+    if(lazy.name.find(wanted) == std::string::npos)
+      continue;
+    json["scenes"].push_back(report(lazy.make(), errors_only, {rounds, 2e-3}));
+    if(!as_json)
+      print(json["scenes"].back(), errors_only);
+  }
+  if(as_json)
+    std::cout << json.dump(1) << '\n';
+  return std::cout.flush() ? 0 : 1;
+}

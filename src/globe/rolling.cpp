@@ -1,0 +1,450 @@
+#include "globe/rolling.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "elliptic/carlson.hpp"
+#include "globe/clock.hpp"
+#include "globe/halves.hpp"
+#include "globe/roots.hpp"
+
+namespace globe::rolling
+{
+namespace
+{
+
+using exact::Fifty;
+
+template <class Real>
+void require_ball(const Ball<Real>& ball)
+{
+  using std::sqrt;
+  const Real limit = 1e20 * sqrt(bb(ball));
+  if(!(ball.a > 0 && ball.c > 0 && ball.k > 0 && ball.a <= limit && ball.c <= limit && limit < 1e150))
+    throw std::domain_error("the rolling ball needs a, c, k > 0 and a, c ≤ 10²⁰ b");
+}
+
+// The formula, from sin ½Φ over √h and what the squares of it and of sin ½Φ lack of 1.
+template <class Real>
+Real time_to(const Ball<Real>& ball, const Real& sine, const Real& of_rest, const Real& of_top,
+             const Real& ss)
+{
+  using std::sqrt;
+  // [time]
+  const Real b = sqrt(bb(ball));
+  const Real q = 4 * ball.a * ball.c * ss / bb(ball);
+  const auto [F, J] = elliptic::R_F_and_J(of_rest, of_top, Real(1 + q), Real(1));
+  return b * sine * (F + q / 3 * J);
+  // [time]
+}
+
+// With the energy for the top, so near it that cos² ½Φ is about to vanish among the doubles.
+template <class Real>
+bool is_beyond_carlson(const Energy<Real>& e, const Real& tt)
+{
+  return e.from_top == 0 && tt < 1e-200;
+}
+
+// With w = sin² ½Φ: Q = Q₀ + h Q₁ and L = L₀ + h L₁, each a polynomial in w. The pressure is PQ/DD, the friction
+// cP sin Φ L/DD. In w nothing cancels at the bottom, where a ball that hardly rocks stays.
+template <class Real>
+struct Polynomials
+{
+  using P = std::vector<Real>;
+  P Q0, Q1, L0, L1;
+
+  explicit Polynomials(const Ball<Real>& ball)
+  {
+    const Real a = ball.a, c = ball.c;
+    const P D{bb(ball), 4 * a * c}, y{a - c, 2 * c}, u{1, -2}, w{0, 1}, w_rest{0, 1, -1};
+    // Q = DD − 4ccN w(1 − w) + 4ccu(h − w)D and L = yN − 4c(h − w)D, with N = bb + 4ach
+    Q0 = plus(plus(product_of(D, D), w_rest, Real(-4 * c * c * bb(ball))), product_of(product_of(u, w), D),
+              Real(-4 * c * c));
+    Q1 = plus(product_of(u, D), w_rest, Real(-4 * a * c));
+    for(Real& q : Q1)
+      q *= 4 * c * c;
+    L0 = plus(product_of(y, {bb(ball)}), product_of(w, D), Real(4 * c));
+    L1 = plus(product_of(y, {4 * a * c}), D, Real(-4 * c));
+  }
+
+  P Q(const Real& h) const { return plus(Q0, Q1, h); }
+  P L(const Real& h) const { return plus(L0, L1, h); }
+
+  // p + factor q
+  static P plus(P p, const P& q, const Real& factor)
+  {
+    p.resize(std::max(p.size(), q.size()), Real(0));
+    for(std::size_t n = 0; n < q.size(); ++n)
+      p[n] += factor * q[n];
+    return p;
+  }
+};
+
+// pq' − p'q
+template <class Real>
+std::vector<Real> cross(const std::vector<Real>& p, const std::vector<Real>& q)
+{
+  return Polynomials<Real>::plus(product_of(p, derivative_of(q)), product_of(derivative_of(p), q),
+                                 Real(-1));
+}
+
+// The place where sin² ½Φ = w.
+template <class Real>
+Place<Real> place_of(const Real& w)
+{
+  using std::sqrt;
+  return {sqrt(w), sqrt(1 - w)};
+}
+
+template <class Real>
+Real angle_of(const Place<Real>& place)
+{
+  using std::atan2;
+  return 2 * atan2(place.s, place.c);
+}
+
+}  // namespace
+
+template <class Real>
+Real time(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& place)
+{
+  using std::max, std::min, std::sqrt;
+  require_ball(ball);
+  require(e);
+  const Real ss = place.s * place.s, tt = place.c * place.c;
+  const Real left = left_for_motion(e, place);
+  if(place.s == 0)
+    return 0;
+  if(!(left >= -8 * std::numeric_limits<double>::epsilon() * min(e.h, tt)))
+    throw std::domain_error("the ball does not get there");
+  if(is_beyond_carlson(e, tt))
+    return separatrix_time(ball, place);
+  return time_to(ball, Real(place.s / sqrt(e.h)), max(Real(left / e.h), Real(0)), tt, ss);
+}
+
+template <class Real>
+Real quarter(const Ball<Real>& ball, const Energy<Real>& e)
+{
+  using std::sqrt;
+  require_ball(ball);
+  require(e);
+  if(e.from_top == 0)
+    return std::numeric_limits<double>::infinity();
+  if(e.turns_over())
+    return time_to(ball, Real(1 / sqrt(e.h)), Real(-e.from_top / e.h), Real(0), Real(1));
+  return time_to(ball, Real(1), Real(0), e.from_top, e.h);
+}
+
+double excess(const Ball<double>& ball, const Energy<double>& e)
+{
+  require_ball(ball);
+  require(e);
+  if(!(e.from_top > 0))
+    throw std::domain_error("the excess is of a ball that rocks");
+  const double q = 4 * ball.a * ball.c * e.h / bb(ball);
+  const double of_pendulum = pendulum_excess(e);
+  const double of_ball =
+      mean_over_quarter(e.from_top, [q](double s2, double, double) { return root_excess(q * s2); });
+  return of_pendulum + of_ball + of_pendulum * of_ball;
+}
+
+template <class Real>
+Real separatrix_time(const Ball<Real>& ball, const Place<Real>& place)
+{
+  using std::asinh, std::sqrt;
+  require_ball(ball);
+  if(place.c == 0)
+    return std::numeric_limits<double>::infinity();
+  // [elementary]
+  const Real b = sqrt(bb(ball)), B = sqrt(BB(ball)), r = 2 * sqrt(ball.a * ball.c);
+  // artanh (BV/√D) = arsinh (BV/√(D − BBVV)), and D − BBVV = bb(1 − VV)
+  return B * asinh(B * place.s / (b * place.c)) - r * asinh(r * place.s / b);
+  // [elementary]
+}
+
+Turned angle(const Ball<double>& ball, const Energy<double>& e, double tau)
+{
+  const double whole = quarter(ball, e);
+  return Clock(e).at(tau, whole, [&](const Clock::Reading& now) {
+    const double ss = now.place.s * now.place.s, tt = now.place.c * now.place.c;
+    const double of_rest = e.turns_over() ? (tt - e.from_top) / e.h : now.cn * now.cn;
+    const double sine = e.turns_over() ? now.place.s / std::sqrt(e.h) : now.sn;
+    const double derivative = std::sqrt(bb(ball) + 4 * ball.a * ball.c * ss);
+    if(is_beyond_carlson(e, tt))
+      return Clock::Rate{separatrix_time(ball, now.place), derivative};
+    return Clock::Rate{sine == 0 ? 0 : time_to(ball, sine, of_rest, tt, ss), derivative};
+  });
+}
+
+void quarter(const Ball<double>& ball, std::span<const Energy<double>> e, std::span<double> out)
+{
+  require_equal(e.size(), out.size());
+  for(std::size_t i = 0; i < out.size(); ++i)
+    out[i] = quarter(ball, e[i]);
+}
+
+void time(const Ball<double>& ball, const Energy<double>& e, std::span<const Place<double>> place,
+          std::span<double> out)
+{
+  require_equal(place.size(), out.size());
+  for(std::size_t i = 0; i < out.size(); ++i)
+    out[i] = time(ball, e, place[i]);
+}
+
+template <class Real>
+Real velocity_squared(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& place)
+{
+  return 4 * left_for_motion(e, place) / (bb(ball) + 4 * ball.a * ball.c * place.s * place.s);
+}
+
+namespace
+{
+
+// D, and Q and L by products: h − ϖ and N = bb + 4ach are formed without subtraction.
+template <class Real>
+struct Borne
+{
+  Real D, Q, L, sine;
+
+  Borne(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& place)
+  {
+    const auto& [a, c, k] = ball;
+    const Real ss = place.s * place.s, tt = place.c * place.c, u = tt - ss;
+    const Real left = left_for_motion(e, place);
+    const Real N = bb(ball) + 4 * a * c * e.h;
+    sine = 2 * place.s * place.c;
+    D = bb(ball) + 4 * a * c * ss;
+    Q = D * D - c * c * N * sine * sine + 4 * c * c * u * left * D;
+    L = (a - c + 2 * c * ss) * N - 4 * c * left * D;
+  }
+};
+
+}  // namespace
+
+template <class Real>
+Real pressure(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& place)
+{
+  const Borne<Real> borne(ball, e, place);
+  return borne.Q / (borne.D * borne.D);
+}
+
+template <class Real>
+Real friction(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& place)
+{
+  const Borne<Real> borne(ball, e, place);
+  return ball.c * borne.sine * (borne.L / borne.Q);
+}
+
+template <class Real>
+Greatest<Real> greatest_friction(const Ball<Real>& ball, const Energy<Real>& e)
+{
+  using std::abs, std::sqrt;
+  require_ball(ball);
+  require(e);
+  const Polynomials<Real> all(ball);
+  const auto Q = all.Q(e.h), L = all.L(e.h);
+  const Place<Real> rest = e.turns_over() ? Place<Real>{1, 0} : Place<Real>{sqrt(e.h), sqrt(e.from_top)};
+  const Real last = e.turns_over() ? Real(1) : e.h;
+  const auto off = roots_between(Q, Real(0), last);
+  if(!off.empty())
+    return {angle_of(place_of(off.front())), std::numeric_limits<double>::infinity()};
+  Greatest<Real> greatest{angle_of(rest), e.turns_over() ? Real(0) : friction(ball, e, rest)};
+  const std::vector<Real> u{1, -2}, twice_w_rest{0, 2, -2};
+  const auto extremal = Polynomials<Real>::plus(product_of(u, product_of(L, Q)),
+                                                product_of(twice_w_rest, cross(Q, L)), Real(1));
+  for(const Real& root : roots_between(extremal, Real(0), last))
+  {
+    const Place<Real> there = place_of(root);
+    const Real lambda = friction(ball, e, there);
+    if(abs(lambda) > abs(greatest.lambda))
+      greatest = {angle_of(there), lambda};
+  }
+  return greatest;
+}
+
+namespace
+{
+
+// What friction forbids at one angle: the energies h from one to another.
+struct Forbidden
+{
+  double from, to;  // none where from > to
+};
+
+// How rolling with the friction sigma μ is limited, angle by angle: μQ − sigma c sin Φ L is α + βh.
+class Limit
+{
+public:
+  Limit(const Ball<double>& ball, double mu, double sigma)
+      : all_(ball), c_(ball.c), a_(ball.a), kk_(ball.k * ball.k), mu_(mu), sigma_(sigma)
+  {
+  }
+
+  // The h at which just so much friction is needed, and whether with more energy it needs more.
+  std::pair<double, bool> bound(double Phi) const
+  {
+    const double w = std::pow(std::sin(Phi / 2), 2), s = sigma_ * c_ * std::sin(Phi);
+    const double alpha = mu_ * value_of(all_.Q0, w) - s * value_of(all_.L0, w);
+    const double beta = mu_ * value_of(all_.Q1, w) - s * value_of(all_.L1, w);
+    return {-alpha / beta, beta < 0};
+  }
+
+  // What is left of the friction at rest at this angle; there λ = c sin Φ y/(kk + yy).
+  double left_at_rest(double Phi) const
+  {
+    const double y = a_ - c_ + 2 * c_ * std::pow(std::sin(Phi / 2), 2);
+    return mu_ * (kk_ + y * y) - sigma_ * c_ * std::sin(Phi) * y;
+  }
+
+  Forbidden at(double Phi) const
+  {
+    const double rest = std::pow(std::sin(Phi / 2), 2);
+    const auto [h, above] = bound(Phi);
+    constexpr double all = std::numeric_limits<double>::infinity();
+    if(above)
+      return {std::max(h, rest), all};
+    return left_at_rest(Phi) < 0 ? Forbidden{rest, h} : Forbidden{all, -all};
+  }
+
+private:
+  Polynomials<double> all_;
+  double c_, a_, kk_, mu_, sigma_;
+};
+
+// The least of f between two angles that enclose it, also where f has a kink or is infinite beyond.
+template <class Function>
+double least(const Function& f, double a, double b)
+{
+  constexpr double part = 0.3819660112501051;
+  double x = a + part * (b - a), y = b - part * (b - a), fx = f(x), fy = f(y);
+  while(b - a > 1e-16 * b && a < x && x < y && y < b)
+  {
+    if(fx <= fy)
+    {
+      b = y, y = x, fy = fx;
+      x = a + part * (b - a), fx = f(x);
+    }
+    else
+    {
+      a = x, x = y, fx = fy;
+      y = b - part * (b - a), fy = f(y);
+    }
+  }
+  return std::min(fx, fy);
+}
+
+// What is forbidden at the angles of a run of neighbours hangs together.
+void add_forbidden(const Limit& limit, std::vector<Forbidden>& forbidden)
+{
+  constexpr int steps = 4000;
+  const auto Phi_of = [](int n) { return std::numbers::pi * n / steps; };
+  const auto from = [&](double Phi) { return limit.at(Phi).from; };
+  const auto minus_to = [&](double Phi) { return -limit.at(Phi).to; };
+  const auto none_at = [&](int n) { return n < 0 || n > steps || from(Phi_of(n)) > -minus_to(Phi_of(n)); };
+  for(int n = 0; n <= steps; ++n)
+  {
+    if(none_at(n))
+      continue;
+    int lowest = n, highest = n;
+    for(; !none_at(n); ++n)
+    {
+      lowest = from(Phi_of(n)) < from(Phi_of(lowest)) ? n : lowest;
+      highest = minus_to(Phi_of(n)) < minus_to(Phi_of(highest)) ? n : highest;
+    }
+    const auto around = [&](const auto& f, int m) {
+      return least(f, Phi_of(std::max(m - 1, 0)), Phi_of(std::min(m + 1, steps)));
+    };
+    const double to = -minus_to(Phi_of(highest));
+    forbidden.push_back({around(from, lowest), std::isfinite(to) ? -around(minus_to, highest) : to});
+  }
+}
+
+}  // namespace
+
+std::vector<Window> windows(const Ball<double>& ball, double mu)
+{
+  require_ball(ball);
+  if(!(mu > 0) || !std::isfinite(mu))
+    throw std::domain_error("μ must be positive and finite");
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::vector<Forbidden> forbidden;
+  for(const double sigma : {1.0, -1.0})
+    add_forbidden(Limit(ball, mu, sigma), forbidden);
+  forbidden.push_back({loss_of_pressure(ball).h, infinite});
+  std::sort(forbidden.begin(), forbidden.end(),
+            [](const Forbidden& f, const Forbidden& g) { return f.from < g.from; });
+  std::vector<Window> windows;
+  double h = 0;
+  for(const Forbidden& f : forbidden)
+  {
+    if(f.from > h)
+      windows.push_back({h, f.from});
+    h = std::max(h, f.to);
+  }
+  return windows;
+}
+
+template <class Real>
+Loss<Real> loss_of_pressure(const Ball<Real>& ball)
+{
+  require_ball(ball);
+  const Polynomials<Real> all(ball);
+  const auto h_at = [&](const Real& w) { return Real(-value_of(all.Q0, w) / value_of(all.Q1, w)); };
+  const Real a = ball.a, c = ball.c;
+  Loss<Real> first{1 + BB(ball) / (4 * c * c), angle_of(Place<Real>{1, 0}), Real(0)};
+  if(ball.k * ball.k >= (a + c) * (3 * c - a))
+    return first;
+  // Q₁ is below 0 from the top down to its root; beyond, more energy only presses more.
+  for(const Real& w : roots_between(cross(all.Q0, all.Q1), Real(0), Real(1)))
+    if(value_of(all.Q1, w) < 0 && h_at(w) < first.h)
+    {
+      const Place<Real> there = place_of(w);
+      first = {h_at(w), angle_of(there), angle_of(Place<Real>{there.c, there.s})};
+    }
+  return first;
+}
+
+template <class Real>
+Painleve<Real> painleve(const Ball<Real>& ball)
+{
+  using std::abs;
+  require_ball(ball);
+  const auto& [a, c, k] = ball;
+  // The greatest of sin Φ y/(kk + cc sin²Φ), y = a − c cos Φ: where ½ sin Φ times the derivative by w of both,
+  // and u = cos Φ, that of sin Φ, balance. With w = sin² ½Φ in the lower half and cos² ½Φ in the upper.
+  const std::vector<Real> moment{k * k, 4 * c * c, -4 * c * c}, twice_w_rest{0, 2, -2};
+  Painleve<Real> limit{std::numeric_limits<double>::infinity(), 0};
+  for(const int half : {1, -1})
+  {
+    const std::vector<Real> y{a - half * c, Real(half * 2 * c)}, u{Real(half), Real(-2 * half)};
+    const auto extremal = Polynomials<Real>::plus(product_of(u, product_of(y, moment)),
+                                                  product_of(twice_w_rest, cross(moment, y)), Real(half));
+    for(const Real& w : roots_between(extremal, Real(0), Real(0.5)))
+    {
+      const Place<Real> there = place_of(w);
+      const Real mu = value_of(moment, w) / (2 * c * there.s * there.c * abs(value_of(y, w)));
+      if(mu < limit.mu)
+        limit = {mu, angle_of(half > 0 ? there : Place<Real>{there.c, there.s})};
+    }
+  }
+  return limit;
+}
+
+#define GLOBE_ROLLING(Real)                                                                                \
+  template Real time(const Ball<Real>&, const Energy<Real>&, const Place<Real>&);                          \
+  template Real quarter(const Ball<Real>&, const Energy<Real>&);                                           \
+  template Real separatrix_time(const Ball<Real>&, const Place<Real>&);                                    \
+  template Real velocity_squared(const Ball<Real>&, const Energy<Real>&, const Place<Real>&);              \
+  template Real pressure(const Ball<Real>&, const Energy<Real>&, const Place<Real>&);                      \
+  template Real friction(const Ball<Real>&, const Energy<Real>&, const Place<Real>&);                      \
+  template Greatest<Real> greatest_friction(const Ball<Real>&, const Energy<Real>&);                       \
+  template Loss<Real> loss_of_pressure(const Ball<Real>&);                                                 \
+  template Painleve<Real> painleve(const Ball<Real>&);
+GLOBE_ROLLING(double)
+GLOBE_ROLLING(Fifty)
+#undef GLOBE_ROLLING
+
+}  // namespace globe::rolling
