@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
+#include "exact/quadrature.hpp"
 #include "globe/ball.hpp"
 #include "globe/gauss.hpp"
 #include "globe/time.hpp"
@@ -18,7 +19,7 @@ $\zeta$, that for which $\zeta\zeta kk = 8gc$; and since the distance $CG = c$ w
 {{sec globe.17}} could integrate. With $\Phi$ for the angle through which the ball has turned, and
 $\omega = 90° - \tfrac12\Phi$, the time was
 
-$$ t\sqrt{2gc} = \frac{2cc}{3k}\cos^3\omega - k\,l\tan\tfrac12\omega. \tag{1} $$
+$$ t\sqrt{2gc} = \frac{2cc}{3k}{{entry coefficient}}\cos^3\omega - k\,l\tan\tfrac12\omega. \tag{1} $$
 
 Now he asks what this says. At the start $\omega$ is $90°$; as $\Phi$ grows it shrinks. It cannot become so
 small that the tangent is negative, for then the logarithm would be imaginary; and it cannot even become zero,
@@ -28,7 +29,7 @@ that $G$ stands straight above $C$. It only comes ever nearer to it.
 As an example he asks how long $G$ takes to rise through a right angle. Then $\Phi = 90°$, $\omega = 45°$, and
 the tangent of $\tfrac12\omega = 22°\,30'$ is $\sqrt{(\sqrt2-1)/(\sqrt2+1)} = \sqrt2-1$, so that
 
-$$ t\sqrt{2gc} = \frac{cc}{3k\sqrt2} + k\,l\,(1+\sqrt2), \tag{2} $$
+$$ t\sqrt{2gc} = \frac{cc}{3k\sqrt2}{{entry one_k}} + k\,l\,(1+\sqrt2){{entry sign}}, \tag{2} $$
 
 which gives the time $t$ in seconds.
 
@@ -37,7 +38,7 @@ Today: $2g$ is the acceleration of gravity, $k$ the radius of gyration about $G$
 This motion is the *separatrix* between rocking and turning over.
 :::
 
-The scan has {{eq 1}} and {{eq 2}} otherwise; *Checks* has the readings, and why we read as above.
+Our copy has {{eq 1}} and {{eq 2}} otherwise; *Checks* has the readings, and why we read as above.
 
 ## The program
 
@@ -52,16 +53,18 @@ $k + cc\sin^2\Phi/2k$. There is no need to. With $v = \sin\tfrac12\Phi$ the inte
 be split without any neglect:
 
 $$ t\sqrt{2gc} = k\,l\cot\tfrac12\omega
- + \int_0^{\cos\omega}\!\frac{4cc\,vv\;dv}{k+\sqrt{kk+4cc\,vv(1-vv)}}. \tag{3} $$
+ + \int_0^{\cos\omega}\!\frac{4cc\,vv\;dv}{k+\sqrt{kk+4cc\,vv(1-vv)}}. \tag{A} $$
 
 The first term is Euler's logarithm, unaltered; the integral stays finite up to the top. So his conclusion
 does not hang on a small $c$: the time to the top is infinite for every ball. And where the root is replaced
-by its least value $k$, {{eq 3}} becomes {{eq 1}}: his time is always a little too long.
+by its least value $k$, {{eq A}} becomes {{eq 1}}: his time is always a little too long.
 */
 
-double rest(double c, double k, double v)  // (3), the integrand
+template <class Real>
+Real rest(const Real& c, const Real& k, const Real& v)  // (A), the integrand
 {
-  return 4 * c * v * v * (c / (k + std::hypot(k, 2 * c * v * std::sqrt((1 - v) * (1 + v)))));
+  using std::sqrt;
+  return 4 * c * v * v * (c / (k + sqrt(k * k + 4 * c * c * v * v * (1 - v) * (1 + v))));
 }
 
 /*!
@@ -76,16 +79,16 @@ Euler gives no numbers. Ours are a homogeneous ball of weight 4/5 and radius 1 f
 `--omega 1e-300rad` is a good question.
 */
 
-const auto c = real("c", 0.1, feet, positive, "CG, from the ball's centre to its centre of gravity");
-const auto k = real("k", 0.6, feet, positive, "radius of gyration: the moment of inertia about G is Pkk");
-const auto g = real("g", 15.625, feet, positive, "height fallen from rest in the first second");
-const auto omega = angle("omega", 45_deg, open(0_deg, 90_deg), "half of what Φ is short of 180°");
+const auto c = real("c", 0.1, feet, scale, "CG, from the ball's centre to its centre of gravity");
+const auto k = real("k", 0.6, feet, scale, "radius of gyration: the moment of inertia about G is Pkk");
+const auto g = real("g", 15.625, feet, scale, "height fallen from rest in the first second");
+const auto omega = angle("omega", 45_deg, from_below(1e-300, 90_deg), "half of what Φ is short of 180°");
 
 const Fifty c0 = our_ball<Fifty>.c, k0 = our_ball<Fifty>.k, half_right = exact::pi() / 4;
 
 TELL
 {
-  require(c <= 1e6 * k, "c", "at most a million times k");
+  require(c <= 100 * k, "c", "at most a hundred times k");
   const double second = std::sqrt(2 * g * c);  // what one second is in t√2gc
   const double exact = separatrix_time<double>(c, k, omega);
   const double euler = separatrix_time_by_euler<double>(c, k, omega);
@@ -154,11 +157,11 @@ TELL
     ways.push_back({"rest by Gauss, " + std::to_string(n) + " nodes",
                     [=, gauss = Gauss(n)] {
                       return k_ * std::asinh(1 / std::tan(w))
-                             + gauss([=](double v) { return rest(c_, k_, v); }, 0, std::cos(w));
+                             + gauss([=](double v) { return rest<double>(c_, k_, v); }, 0, std::cos(w));
                     },
                     "logarithm taken out"});
   ways.push_back({"Carlson's integrals", [=] { return separatrix_time(c_, k_, w); }});
-  race("tau", "t√(2gc)", separatrix_time<Fifty>(c_, k_, w), ways);
+  race("tau", "t√(2gc)", separatrix_time<Fifty>(c.fifty(), k.fifty(), omega.fifty()), ways);
 }
 
 /*!
@@ -179,7 +182,7 @@ CHECK_THAT("by the equations of motion the ball has turned through a right angle
         == within(2 * half_right, 1e-29, "some hundred steps of 1e-32 each"));
 }
 
-CHECK_THAT("the integral (3) by Gauss's rule is the exact time, at a right angle and close to the top")
+CHECK_THAT("the integral (A) by Gauss's rule is the exact time, at a right angle and close to the top")
 {
   const Gauss gauss(20);
   for(const double w : {45_deg, 1e-9})
@@ -230,7 +233,7 @@ CHECK_THAT("near the top each halving of what is missing takes k l 2, without en
 }
 
 /*!
-Now the readings. A letter s stands in the scan where {{eq 2}} has its 3, and the $k$ is doubled. The
+Now the readings. A letter s stands in our copy where {{eq 2}} has its 3, and the $k$ is doubled. The
 coefficient of {{eq 1}} stands without its 2 in all lines that lead to it. In Euler's hand that would have
 been a slip; but then the example would have $6k\sqrt2$, so the 2 may just be lost. The sign of the logarithm
 in {{eq 2}} may be mended in two ways, and no calculation can tell which was set. The proof is the motion of
@@ -263,6 +266,110 @@ const Doubtful sign{"§18, the example, the last term",
                     {"+ k l(1+√2), or − k l(√2−1)", first + last},
                     "with the minus the ball would be there before it starts",
                     is_the_time};
+
+/*!
+What is told is held against {{eq A}} in fifty digits, and the figures against the equations of motion and
+against that integral.
+*/
+
+Fifty by_rest(const Fifty& c, const Fifty& k, const Fifty& w)  // (A)
+{
+  return k * asinh(1 / tan(w))
+         + exact::integrate([&](const Fifty& v) { return rest(c, k, v); }, 0, cos(w)).value;
+}
+
+Fifty euler(const Fifty& c, const Fifty& k, const Fifty& w)  // (1), as it stands there
+{
+  return 2 * c * c / (3 * k) * pow(cos(w), 3) - k * log(tan(w / 2));
+}
+
+Fifty gauss_fifty(int n, const std::function<Fifty(const Fifty&)>& f, const Fifty& end)
+{
+  Fifty sum = 0;
+  for(int i = 0; i < n; ++i)
+  {
+    Fifty x = cos(exact::pi() * (i + Fifty(3) / 4) / (n + Fifty(1) / 2)), slope;
+    for(int turn = 0; turn < 9; ++turn)  // Newton's method for the root of Legendre's polynomial
+    {
+      Fifty p = 1, q = x;
+      for(int m = 2; m <= n; ++m)
+        p = std::exchange(q, ((2 * m - 1) * x * q - (m - 1) * p) / m);
+      slope = n * (p - x * q) / (1 - x * x);
+      x -= q / slope;
+    }
+    sum += f((1 + x) * end / 2) * end / ((1 - x * x) * slope * slope);
+  }
+  return sum;
+}
+
+CHECK_THAT("the times and the race told are (1), its next term, (A), and Gauss's rule, in fifty digits")
+{
+  for(const Told& now :
+      told_at("", "c=0.6 omega=30", "c=40 k=1 omega=1e-300rad g=1e-90", "c=1e-50 omega=80"))
+  {
+    const Fifty c_ = c.fifty(), k_ = k.fifty(), w = omega.fifty(), second = sqrt(2 * g.fifty() * c_);
+    const Fifty t = by_rest(c_, k_, w), late = euler(c_, k_, w) / t - 1;
+    // An ulp of ω is this part of what it lacks of a right angle.
+    const double slack = 3e-15 + 4e-16 / std::cos(omega);
+    const char* const because = "the library's ten ulps, a root, a quotient, and an ulp of ω";
+    CHECK(now.value("t", seconds) == within_relative(t / second, slack, because));
+    CHECK(now.value("t_euler", seconds) == within_relative((1 + late) * t / second, slack, because));
+    CHECK(now.value("late", percent)
+          == within(late, 2 * slack * double(1 + late), "a quotient of the two, less one"));
+    CHECK(now.value("late_equal", percent)
+          == within(euler(1, 1, half_right) / by_rest(1, 1, half_right) - 1, 2e-15, "six roundings of 1"));
+    CHECK(now.value("tenfold", seconds)
+          == within_relative(k_ * log(Fifty(10)) / second, 1e-15, "four roundings"));
+    CHECK(now.value("tau") == within(by_rest(c0, k0, half_right), 1e-38, "both to forty digits"));
+    CHECK(now.exact("tau") == within_relative(t, 1e-38, "another way of fifty digits"));
+    CHECK(now.method("tau", "Euler's formula (1)") == within_relative((1 + late) * t, slack, because));
+    const Fifty r = c_ / k_, v = cos(w);
+    const Fifty next = -2 * k_ * pow(r, 4) * pow(v, 5) * (Fifty(1) / 5 - v * v / 7);
+    CHECK(now.method("tau", "and the next term")
+          == within((1 + late) * t + next, slack * double((1 + late) * t - next), "a sum of two"));
+    CHECK(now.method("tau", "Carlson's integrals") == within_relative(t, slack, because));
+    const auto integrand = [&](const Fifty& x) { return rest(c_, k_, x); };
+    for(const int n : {2, 4, 6, 8})
+      CHECK(now.method("tau", "rest by Gauss, " + std::to_string(n) + " nodes")
+            == within_relative(k_ * asinh(1 / tan(w)) + gauss_fifty(n, integrand, v), slack, because));
+  }
+}
+
+CHECK_THAT("the points of the climb are where the equations of motion bring the ball in those times")
+{
+  for(const Told& now : told_at(""))
+  {
+    const Fifty c_ = c.fifty(), k_ = k.fifty(), g_ = g.fifty(), second = sqrt(2 * g_ * c_);
+    const Ball<Fifty> ball{c_ + k_, c_, k_};  // its radius does not come in
+    const auto motion = [&](const Fifty&, const exact::State& s) {
+      return exact::State{s[1], accelerations<Fifty>(ball, g_, s[0], s[1], 0).Phi};
+    };
+    const Fifty third = by_rest(c_, k_, half_right) / second / 3;
+    for(const auto& point : now.points("climb", 6))
+    {
+      const double n = std::round(point.at("time") / double(third));
+      CHECK(point.value("time") == within_relative(n * third, 2e-15, "the library's four ulps and a root"));
+      const Fifty Phi = exact::solve(motion, 0, {0, 2 * second / k_}, n * third).y[0];
+      CHECK(point.value("x") == within(-sin(Phi), 2e-14, "the library's twenty ulps of the time"));
+      CHECK(point.value("y") == within(-cos(Phi), 2e-14, "the same"));
+    }
+  }
+}
+
+CHECK_THAT("the readings drawn are the formulae less the integral")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("readings", 6))
+    {
+      const Fifty r = point.at("c"), late = euler(r, 1, half_right) - by_rest(r, 1, half_right);
+      const Fifty half = sqrt(Fifty(2)) / 2,
+                  next = 2 * pow(r, 4) * pow(half, 5) * (Fifty(1) / 5 - Fifty(1) / 14);
+      CHECK(point.value("two") == within_ulps(late, 1, "rounded once"));
+      CHECK(point.value("next") == within_relative(next - late, 1e-15, "rounded once"));
+      CHECK(point.value("one") == within_relative(r * r * half / 6 - late, 1e-14, "three roundings"));
+      CHECK(point.value("c") == between(0.01, 2, "the range that is drawn"));
+    }
+}
 
 /*!
 ## Notes
