@@ -27,10 +27,13 @@ radius. Then
 $$ \omega = \tfrac16\cos t,\qquad \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\}
  = \tfrac16\cos 3t \pm \left(\tfrac1{720}\cos 2t - \tfrac1{1008}\cos 4t\right), \tag{2} $$
 
-only that he has $\tfrac1{1080}$ {{entry last_fraction}} for the last fraction. The time in seconds stands here as an angle, and one
+only that he has $\tfrac1{1080}$ {{entry last_fraction}} for the last fraction. The time in seconds stands
+here as an angle, and one
 second is an angle of about 57°. To look at the balance every half second he therefore writes for $t$ in turn
-0°, 30°, 60°, 90°, 120° and so on, and enters the three angles of every moment in a table {{entry labels}} {{entry column}} {{entry minutes_of_eta}}. A sixth {{entry ten_degrees}} he counts
-as ten degrees, so that $\tfrac1{720}$ is 5′ and $\tfrac1{1080}$ is 3⅓′ {{entry last_minutes}}. The table shows, he says, that the
+0°, 30°, 60°, 90°, 120° and so on, and enters the three angles of every moment in a table {{entry labels}}
+{{entry column}} {{entry minutes_of_eta}}. A sixth {{entry ten_degrees}} he counts
+as ten degrees, so that $\tfrac1{720}$ is 5′ and $\tfrac1{1080}$ is 3⅓′ {{entry last_minutes}}. The table
+shows, he says, that the
 pans' motion is irregular by so little that in practice hardly anybody could notice it; and no greater value,
 it seems, can ever be given to the number $i$.
 
@@ -118,12 +121,14 @@ const auto longer = [](const Release& r, double t) {
 };
 
 /*!
-How much each misses is looked for through a whole period of the beam. Before the first step there is a smaller one.
+How much each misses is looked for through a whole period of the beam. Before the first step there is a
+smaller one.
 At $t = 0$ formula {{eq 1}} does not give $n$ but
 
 $$ n + \frac{2i\lambda mn}{4\mu\mu-\lambda\lambda}, \tag{A} $$
 
-because Euler took the amplitude of the regular swing for that of the whole; {{api balance::euler_corrected}} starts where the pans are let go.
+because Euler took the amplitude of the regular swing for that of the whole;
+{{api balance::euler_corrected}} starts where the pans are let go.
 
 ::: code balance/euler.hpp departure
 :::
@@ -189,16 +194,21 @@ TELL
 
 The beam keeps to Euler's formula within a few minutes. The pans do not: half-way, at 180°, they stand
 {{apart|f0}}′ apart, where {{eq 1}} has {{apart_by_1|f0}}′. In one period of the beam P departs from {{eq 1}}
-by up to {{missed|f1}}′, while what the formula adds to a regular swing is {{added|f1}}′ at most. Of what it misses
-the start accounts for up to {{by_start|f1}}′ (it begins {{too_far|f2}}′ too far out, in the table's first row already), the
-term dropped for up to {{by_term|f1}}′, the lag of the pans for up to {{by_lag|f1}}′. After all three {{left|f1}}′ remain.
+by up to {{missed|f1}}′, while what the formula adds to a regular swing is {{added|f1}}′ at most. Of what
+it misses
+the start accounts for up to {{by_start|f1}}′ (it begins {{too_far|f2}}′ too far out, in the table's first
+row already), the
+term dropped for up to {{by_term|f1}}′, the lag of the pans for up to {{by_lag|f1}}′. After all three
+{{left|f1}}′ remain.
 
 ::: figure balance-36
-alt: Minutes by which the two pans stray from regular swings, over one period of the beam. By Euler's formula (1),
+alt: Minutes by which the two pans stray from regular swings, over one period of the beam. By Euler's
+formula (1),
 with points at the thirteen moments of his table, they stay within 9 minutes and mirror each other. By the
 full equations they swing three times as far, at first against each other, in the end together.
 
-How far the pans stray from regular swings, $n\cos\mu t$: by {{eq 1}} with $\tfrac1{1008}$, where the points are the moments
+How far the pans stray from regular swings, $n\cos\mu t$: by {{eq 1}} with $\tfrac1{1008}$, where the
+points are the moments
 of Euler's table, and in full. At first they stray against each other, by the term that he
 drops; in the end together, because both lag.
 :::
@@ -354,7 +364,8 @@ CHECK_THAT("Euler's formula errs by the square of the angles, the complete one b
 }
 
 /*!
-What is told, in the example and for two other balances, by the formula in fifty digits and by GSL's integrator:
+What is told, in the example and for two other balances, by the formula in fifty digits and by GSL's
+integrator:
 */
 
 CHECK_THAT("a sixth of the radius is ten degrees of sixty minutes, and minutes are rounded")

@@ -158,7 +158,8 @@ CHECK_THAT("no square overflows in a body as large as numbers get")
 }
 
 /*!
-What is told: the rod and its pieces, by the sums in closed form; and the figure's weights, by their fractions.
+What is told: the rod and its pieces, by the sums in closed form; and the figure's weights, by their
+fractions.
 */
 
 CHECK_THAT(

@@ -26,7 +26,8 @@ The first root stays as it is, and the second is expanded as a power with expone
 
 $$ \begin{aligned} \frac{1}{\sqrt{1-ccyy}} = 1 &+ \tfrac12 ccyy + \frac{1\cdot3}{2\cdot4}c^4y^4 \\
    &+ \frac{1\cdot3\cdot5}{2\cdot4\cdot6}c^6y^6 \\
-   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}c^8y^8{{entry binomial_powers}} + \text{etc.}, \end{aligned} \tag{2} $$
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8}c^8y^8{{entry binomial_powers}} + \text{etc.},
+   \end{aligned} \tag{2} $$
 
 so that
 
@@ -41,7 +42,8 @@ $$ \int{{entry integral_sign}}\frac{dy}{\sqrt{1-yy}} = \frac\pi2, \tag{4} $$
 where π is the circumference of the circle of diameter 1. The others follow two powers of $y$ at a time, since
 between these limits
 
-$$ \int\frac{y^{n+1}dy}{\sqrt{1-yy}} = \frac{n}{n+1}{{entry ladder_factor}}\int\frac{y^{n-1}dy}{\sqrt{1-yy}}, \tag{5} $$
+$$ \int\frac{y^{n+1}dy}{\sqrt{1-yy}} =
+\frac{n}{n+1}{{entry ladder_factor}}\int\frac{y^{n-1}dy}{\sqrt{1-yy}}, \tag{5} $$
 
 and so
 

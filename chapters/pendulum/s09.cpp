@@ -35,7 +35,8 @@ the axis $A$. For a pendulum that swings once a second this must be 1, and its l
 
 $$ b = \frac{2g}{\pi^2}. \tag{3} $$
 
-In Rhenish feet $g = 15\tfrac58$ and $2g = 31\tfrac14$ {{entry fall}}, and he finds $b = 3{,}16621$ {{entry length}}. With a longer or a
+In Rhenish feet $g = 15\tfrac58$ and $2g = 31\tfrac14$ {{entry fall}}, and he finds $b = 3{,}16621$
+{{entry length}}. With a longer or a
 shorter pendulum the times are, as is commonly known, as the square roots of the lengths $b$; but it must be
 kept in mind, he adds, that infinitely small swings are meant.
 
@@ -98,7 +99,8 @@ TELL
 }
 
 /*!
-The length in our copy is not quite what {{eq 3}} gives. The table tries the two readings of $g$, two usual values
+The length in our copy is not quite what {{eq 3}} gives. The table tries the two readings of $g$, two usual
+values
 of π, and a reckoning by logarithms of five places, first as it should be and then with its last place one
 too small.
 */
@@ -136,7 +138,8 @@ TELL
 
 /*!
 The reading of $g$ is certain: 31 feet make a length that is wrong in its second decimal. The last digit of
-3,16621 is another matter. {{eq 3}} gives {{seconds_length|6}} feet; neither 22/7 nor 3.1416 for π leads to 3.16621,
+3,16621 is another matter. {{eq 3}} gives {{seconds_length|6}} feet; neither 22/7 nor 3.1416 for π leads to
+3.16621,
 and $g$ would have to be {{needed|7}}. A slip of one in the fifth place of a logarithm leads there to
 the last digit; but a 9 read or set as a 1 would do as well. A clock with this pendulum would gain
 {{gained|2}} seconds a day.

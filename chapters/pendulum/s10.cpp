@@ -16,7 +16,8 @@ namespace oracle = swing::oracle;
 
 For small arcs two terms of the series make a rule that needs no sines, only two lengths. The formula of
 {{sec pendulum.09}} shows that a swing through a larger arc takes somewhat longer {{entry smaller}}, since
-$c = \sin\tfrac12\zeta$ {{entry letter}} grows with the arc. To see it more clearly he takes $cc$ so small that its higher
+$c = \sin\tfrac12\zeta$ {{entry letter}} grows with the arc. To see it more clearly he takes $cc$ so small
+that its higher
 powers $c^4$, $c^6$ etc. can be neglected. Let $\Theta$ be the time of an infinitely small swing of the same
 pendulum, $\Theta = \pi\sqrt b/\sqrt{2g}$; then
 

@@ -32,7 +32,8 @@ $l$ is the natural logarithm, $\operatorname{tg}$ the tangent.
 :::
 
 One sees from this that the integral would be infinite if η vanished altogether, and that the time is the
-longer {{entry less}}, the smaller η is taken. If the terms after the first could be neglected, one would already have
+longer {{entry less}}, the smaller η is taken. If the terms after the first could be neglected, one would
+already have
 
 $$ \frac{t\sqrt{2g}}{\sqrt b} = l\,\frac{\operatorname{tg}\frac14\psi}{\operatorname{tg}\frac14\eta},\qquad
    t = \frac{\sqrt b}{\sqrt{2g}}
@@ -138,7 +139,8 @@ At $\eta = 5°$ the first term is short by {{short_by|4}} when the pendulum pass
 alt: What the formulae leave out against the way gone. The first term's error rises to ln 2 for all starts.
 
 What is left out after a way of so many η. The first term falls behind while ψ grows from η to a few
-times η, for all starts alike, and never makes it good: the dashed line is $l\,2$. Formula {{eq B}} is good from the
+times η, for all starts alike, and never makes it good: the dashed line is $l\,2$. Formula {{eq B}} is good
+from the
 first moment, and the better, the nearer the top the descent began.
 :::
 
@@ -192,7 +194,8 @@ CHECK_THAT("the first term's integral is nothing at the start, and its derivativ
 }
 
 /*!
-Then what is missing: {{eq A}} near the top, and $l\,2$ in the end, at a start as near as the machine's numbers
+Then what is missing: {{eq A}} near the top, and $l\,2$ in the end, at a start as near as the machine's
+numbers
 allow.
 */
 
@@ -261,7 +264,8 @@ const Doubtful less{"§15, the time for smaller η",
                     }};
 
 /*!
-What is told: at 5° and a right angle, near the top after a hundred η, and for the half swing of a small pendulum.
+What is told: at 5° and a right angle, near the top after a hundred η, and for the half swing of a small
+pendulum.
 */
 
 CHECK_THAT("the times told are the oracle's and the logarithm's, and what is missing their differences")

@@ -13,13 +13,15 @@ at once in the logarithm, as {{sec pendulum.17}} has already found:
 
 $$ \int_\alpha\frac{d\omega}{\sin^3\omega} = \frac{\cos\alpha}{2\sin^2\alpha} -
      \frac{\cos\omega}{2\sin^2\omega}
-   + \frac12\,l{{entry logarithm}}\,\frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}. \tag{1} $$
+   + \frac12\,l{{entry logarithm}}\,\frac{\operatorname{tg}\frac12\omega}{\operatorname{tg}\frac12\alpha}.
+   \tag{1} $$
 
 Each further integral stands on the one before. The third term of the series in {{sec pendulum.17}} needs
 $n = 4$, the fourth $n = 6$, the fifth $n = 8$, and with $n = 10$ he writes one more:
 
 $$ \begin{aligned}
-   \int_\alpha\frac{d\omega}{\sin^5\omega}{{entry powers}} &= \frac{\cos\alpha}{4\sin^4\alpha}{{entry denominators}}
+   \int_\alpha\frac{d\omega}{\sin^5\omega}{{entry powers}} &=
+   \frac{\cos\alpha}{4\sin^4\alpha}{{entry denominators}}
      - \frac{\cos\omega}{4\sin^4\omega} + \frac34\int_\alpha\frac{d\omega}{\sin^3\omega}, \\
    \int_\alpha\frac{d\omega}{\sin^7\omega} &= \frac{\cos\alpha}{6\sin^6\alpha}
      - \frac{\cos\omega}{6\sin^6\omega} + \frac56\int_\alpha\frac{d\omega}{\sin^5\omega}, \\

@@ -30,14 +30,17 @@ $$ \begin{aligned} \frac1{\sqrt{1-vv}} = 1 &+ \frac12vv + \frac{1\cdot3}{2\cdot4
 Divided by $v$ it begins with $\frac1v + \frac12v$; multiplied by $dv$ and integrated it gets just the
 denominators that are wanted,
 
-$$ \begin{aligned} \int\frac{dv}{v\sqrt{1-vv}} = lv &+ \frac1{2^2}vv{{entry integrated}} + \frac{1\cdot3}{2\cdot4^2}v^4
+$$ \begin{aligned} \int\frac{dv}{v\sqrt{1-vv}} = lv &+ \frac1{2^2}vv{{entry integrated}} +
+\frac{1\cdot3}{2\cdot4^2}v^4
    + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6 \\
    &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8 + \text{etc.}, \end{aligned} \tag{3} $$
 
-so that the sum is $\int\frac{dv}{v\sqrt{1-vv}} - lv$ {{entry minus}}, when $v = 1$ is put after the integration. He calls
+so that the sum is $\int\frac{dv}{v\sqrt{1-vv}} - lv$ {{entry minus}}, when $v = 1$ is put after the
+integration. He calls
 the root $u$. With $vv = 1 - uu$, $2lv = l(1-uu)$ and $\frac{dv}v = -\frac{u\,du}{1-uu}$ the integral is
 
-$$ \begin{aligned} \int\frac{dv}{v\sqrt{1-vv}} &= -\int\frac{du}{1-uu}{{entry middle}} = -\tfrac12\,l\,\frac{1+u}{1-u} \\
+$$ \begin{aligned} \int\frac{dv}{v\sqrt{1-vv}} &= -\int\frac{du}{1-uu}{{entry middle}} =
+-\tfrac12\,l\,\frac{1+u}{1-u} \\
    &= -l(1+u) + \tfrac12\,l(1-uu) + C. \end{aligned} \tag{4} $$
 
 With the root put back, the last logarithm is $lv$ and goes out:

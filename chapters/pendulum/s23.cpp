@@ -22,7 +22,8 @@ whose sum can be found without difficulty from what {{sec pendulum.22}} has foun
 
 $$ \begin{aligned} l2 - l\left(1+\sqrt{1-vv}\right) = \frac1{2^2}vv &+ \frac{1\cdot3}{2\cdot4^2}v^4
    + \frac{1\cdot3\cdot5}{2\cdot4\cdot6^2}v^6 \\
-   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8{{entry powers}} + \text{etc.} \end{aligned} \tag{2} $$
+   &+ \frac{1\cdot3\cdot5\cdot7}{2\cdot4\cdot6\cdot8^2}v^8{{entry powers}} + \text{etc.} \end{aligned}
+   \tag{2} $$
 
 In {{eq 1}} the last odd factor is squared as well; a derivative will supply it. He divides by $v$, which
 makes the powers odd,
@@ -39,7 +40,8 @@ $$ -\frac{l2}{vv} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right)
 whose last member is $\frac1{vv\sqrt{1-vv}} - \frac1{vv}$. So the left side, which {{sec pendulum.24}} will
 call $V$, has three parts,
 
-$$ V = -\frac{1+l2}{vv}{{entry letters}} + \frac1{vv\sqrt{1-vv}} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right). \tag{5} $$
+$$ V = -\frac{1+l2}{vv}{{entry letters}} +
+\frac1{vv\sqrt{1-vv}} + \frac1{vv}\,l\left(1+\sqrt{1-vv}\right). \tag{5} $$
 
 On the right the odd numbers have come above:
 

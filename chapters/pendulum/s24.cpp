@@ -24,7 +24,9 @@ $$ \int -\frac{dv}{v^3}\,(1 + l2) = \frac{1+l2}{2vv}, \tag{2} $$
 
 and the second
 
-$$ \int\frac{dv}{v^3{{entry cubes}}\sqrt{1-vv}} = -\frac{\sqrt{1-vv}}{2vv} - \tfrac12\,l\left(1+\sqrt{1-vv}\right) +
+$$
+\int\frac{dv}{v^3{{entry cubes}}\sqrt{1-vv}} = -\frac{\sqrt{1-vv}}{2vv} -
+\tfrac12\,l\left(1+\sqrt{1-vv}\right) +
      \tfrac12\,lv. \tag{3} $$
 
 The third he reduces by a well-known rule,
@@ -239,7 +241,8 @@ const Emendation member{
     }};
 
 /*!
-What is told: each part by quadrature from where it stands to 1, where all is elementary; the constant in closed form.
+What is told: each part by quadrature from where it stands to 1, where all is elementary; the constant in
+closed form.
 */
 
 CHECK_THAT("the parts told are the integrals from a known place, and C is ¼ l 2 − ¼")

@@ -11,7 +11,8 @@ using pendulum::root_of, pendulum::W;
 The constant of integration has to be found just where every part of the integral is infinite. With that
 constant, {{sec pendulum.24}} has led to
 
-$$ \begin{aligned} \int\frac{V\,dv}{v} - \tfrac14\,lv{{entry left}} = C &+ \frac{1+2l2}{4vv} - \frac{\sqrt{1-vv}}{4vv} \\
+$$ \begin{aligned} \int\frac{V\,dv}{v} - \tfrac14\,lv{{entry left}} = C &+ \frac{1+2l2}{4vv} -
+\frac{\sqrt{1-vv}}{4vv} \\
    &- \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right), \end{aligned} \tag{1} $$
 
 ::: margin

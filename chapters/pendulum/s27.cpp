@@ -14,7 +14,8 @@ using pendulum::root_of, pendulum::W;
 The third column of the array sums to three quarters of the logarithm of two. With the constant of
 {{sec pendulum.26}} the function that belongs to it is complete,
 
-$$ \begin{aligned} \int\frac{V\,dv}{v}{{entry integrand}} - \tfrac14\,lv = \tfrac14\,l2 - \tfrac14 &+ \frac{1+2l2}{4vv}
+$$ \begin{aligned} \int\frac{V\,dv}{v}{{entry integrand}} - \tfrac14\,lv = \tfrac14\,l2 - \tfrac14 &+
+\frac{1+2l2}{4vv}
    - \frac{\sqrt{1-vv}{{entry root}}}{4vv} \\
    &- \left(\frac14 + \frac1{2vv}\right) l\left(1+\sqrt{1-vv}\right), \end{aligned} \tag{1} $$
 
@@ -22,7 +23,8 @@ and with $v = 1$ it becomes the sum of the series. The root vanishes, the logari
 
 $$ \begin{aligned} \frac{1\cdot3^2}{2^2\cdot4^2} &+ \frac{1\cdot3\cdot5^2}{2\cdot4^2\cdot6^2}
    + \frac{1\cdot3\cdot5\cdot7^2}{2\cdot4\cdot6^2\cdot8^2} + \text{etc.} \\
-   &= \tfrac14\,l2 - \tfrac14 + \tfrac14 + \tfrac12\,l2 = \tfrac34{{entry three_quarters}}\,l2. \end{aligned} \tag{2} $$
+   &= \tfrac14\,l2 - \tfrac14 + \tfrac14 + \tfrac12\,l2 = \tfrac34{{entry three_quarters}}\,l2.
+   \end{aligned} \tag{2} $$
 
 So the whole third column of {{sec pendulum.21}}, whose terms all have the factor $\cos\alpha\sin^2\alpha$,
 turns into the simple expression

@@ -18,7 +18,8 @@ safely be neglected. Besides, it seems to him quite probable that the coefficien
 
 $$ \beta\; l2, \tag{1} $$
 
-where β is a fraction less than ¾ {{entry limit}}. With all this he is ready for a problem that would otherwise be most
+where β is a fraction less than ¾ {{entry limit}}. With all this he is ready for a problem that would
+otherwise be most
 difficult. A pendulum swings about its axis $A$ through arcs that fall little short of 180° on the way up as
 on the way down; how long does each swing take? The solution begins in {{sec pendulum.29}}.
 
@@ -31,13 +32,16 @@ $$ K = L\,P(x) + u\,S(x), \qquad P = \sum a_n^2\, x^n, \qquad S = \sum S_j\,x^j,
 
 where $a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots2n}$, and $S_0 = l2$ and $S_1 = \frac34l2$ are known from
 {{sec pendulum.22}} and {{sec pendulum.27}}. Now $K$ and $P$ both satisfy one equation,
-$4\frac{d}{dx}\left(x(1-x)\frac{dy}{dx}\right) = y$. When {{eq A}} is put into it, the logarithm itself has the factor that makes
-$P$ vanish, and drops out. What its derivative leaves, $\frac{dL}{dx} = -\frac1{2xu}$, and $\frac{du}{dx} = -\frac1{2u}$ turn the
+$4\frac{d}{dx}\left(x(1-x)\frac{dy}{dx}\right) = y$. When {{eq A}} is put into it, the logarithm itself has
+the factor that makes
+$P$ vanish, and drops out. What its derivative leaves, $\frac{dL}{dx} = -\frac1{2xu}$, and $\frac{du}{dx} =
+-\frac1{2u}$ turn the
 rest, multiplied by $u$, into
 
 $$ 4(1-x)^2\left(S' + x\,S''\right) - 8x(1-x)\,S' - (3-4x)\,S = 4(1-x)\,P' - P, \tag{G} $$
 
-and the power $x^j$ of {{eq G}}, with $4(j+1)^2a_{j+1}^2 = (2j+1)^2a_j^2$, ties each column's sum to the two before it:
+and the power $x^j$ of {{eq G}}, with $4(j+1)^2a_{j+1}^2 = (2j+1)^2a_j^2$, ties each column's sum to the
+two before it:
 
 $$ (j+1)^2 S_{j+1} = \left(2j^2 + 2j + \tfrac34\right) S_j - j^2 S_{j-1} - \frac{j\,a_j^2}{4(j+1)}. \tag{B} $$
 
@@ -85,16 +89,21 @@ TELL
 }
 
 /*!
-The terms of $S_j$ are $\frac{a_{i+j}^2}{2i\,a_i}$, with $i$ from 1. When $j$ grows by one, each is multiplied by
-$\left(\frac{2i+2j+1}{2i+2j+2}\right)^2$, which is less than 1 and rises with $j$. So the sums fall, and since sequences
-whose quotients rise keep that property when they are added, the quotients of the sums rise. After $J$ columns what is missing is
+The terms of $S_j$ are $\frac{a_{i+j}^2}{2i\,a_i}$, with $i$ from 1. When $j$ grows by one, each is
+multiplied by
+$\left(\frac{2i+2j+1}{2i+2j+2}\right)^2$, which is less than 1 and rises with $j$. So the sums fall, and
+since sequences
+whose quotients rise keep that property when they are added, the quotients of the sums rise. After $J$
+columns what is missing is
 therefore caught between
 
 $$ \frac{u\,S_J\,x^J}{1 - x\,S_{J+1}/S_J} \quad\text{and}\quad \frac{S_J\,x^J}{u}. \tag{D} $$
 
 The same equation even lets the whole array collapse into one column, when the logarithm is not taken of
-$\cot\frac12\alpha$ but of $\frac4{\sin\alpha}$, whose derivative is $-\frac1{2x}$. With $K = P\,l\frac4{\sin\alpha} - \sum
-a_n^2r_nx^n$ the power $x^n$ of the equation says $r_{n+1} - r_n = \frac{2}{(2n+1)(2n+2)}$, and $r_0 = 0$ because $S_0 = l2$:
+$\cot\frac12\alpha$ but of $\frac4{\sin\alpha}$, whose derivative is $-\frac1{2x}$. With $K =
+P\,l\frac4{\sin\alpha} - \sum
+a_n^2r_nx^n$ the power $x^n$ of the equation says $r_{n+1} - r_n = \frac{2}{(2n+1)(2n+2)}$, and $r_0 = 0$
+because $S_0 = l2$:
 
 $$ \begin{gathered} K = \sum a_n^2\,x^n\left(l\,\frac4{\sin\alpha} - r_n\right), \\
    r_n = \frac2{1\cdot2} + \frac2{3\cdot4} + \cdots + \frac2{(2n-1)\,2n}. \end{gathered} \tag{E} $$
@@ -181,8 +190,10 @@ CHECK_THAT("a term of the fourth column is as (F) has it, exactly, and its diffe
 /*!
 Forty values of $n$ prove {{eq F}} for all, since both sides, times $n(n+1)^2(n+2)^2/a_n$, are polynomials of
 the fifth degree at most. Now were $S_2 = \beta\,l2$ with a fraction β, then
-$l2 = \frac1{128}\big/\left(\frac{41}{64} - \beta\right)$ would be a fraction too, which it is not. So the conjecture is
-refuted; a slip it was not, for he only found it probable. Our copy has ¼ for the limit of β, as it has for the sum in {{sec
+$l2 = \frac1{128}\big/\left(\frac{41}{64} - \beta\right)$ would be a fraction too, which it is not. So the
+conjecture is
+refuted; a slip it was not, for he only found it probable. Our copy has ¼ for the limit of β, as it has for
+the sum in {{sec
 pendulum.27}}, where ¾ is certain. What a man held to be probable cannot be restored from what is true.
 */
 
@@ -231,7 +242,8 @@ CHECK_THAT("what J columns leave out lies between the bounds (D)")
 }
 
 /*!
-What is told, and what the figure shows, once more from other sources: the sums from the entries of the array, by Euler's
+What is told, and what the figure shows, once more from other sources: the sums from the entries of the
+array, by Euler's
 logarithm and the bound of {{eq D}}.
 */
 

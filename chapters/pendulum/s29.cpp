@@ -22,7 +22,8 @@ $$ P = 1 + \frac{1^2}{2^2}{{entry coefficients}}\sin^2\alpha + \frac{1^2\cdot3^2
 is sought. As α is small it converges fast, and three or four terms will mostly do. Then the time $T$ of one
 swing will be
 
-$$ \begin{aligned} T = {{entry forgotten_factor}}\Theta\Big( & l{{entry formula}}\cot\tfrac12\alpha \left(1 + \tfrac14\sin^2\alpha
+$$ \begin{aligned} T = {{entry forgotten_factor}}\Theta\Big( & l{{entry formula}}\cot\tfrac12\alpha \left(1
++ \tfrac14\sin^2\alpha
    + \tfrac{1\cdot9}{4\cdot16}\sin^4\alpha + \tfrac{1\cdot9\cdot25}{4\cdot16\cdot36}\sin^6\alpha\right) \\
    & {} + \cos\alpha\; l2 + \tfrac34\cos\alpha\,\sin^2\alpha\; l2 \Big), \end{aligned} \tag{2} $$
 
@@ -170,7 +171,8 @@ TELL
 /*!
 {{table proofs}}
 
-All three ask for $2/\pi$ = {{two_over_pi|5}}. A seconds pendulum let go {{eta}}° from the top takes {{T_mended|6}} s
+All three ask for $2/\pi$ = {{two_over_pi|5}}. A seconds pendulum let go {{eta}}° from the top takes
+{{T_mended|6}} s
 for its swing, and not the {{T_printed|6}} s of {{eq 2}}.
 
 ::: figure pendulum-29
@@ -286,7 +288,8 @@ const Emendation formula{
     [](double B) { return B == within(swing::quarter_time_from_top(5_deg), 1.6e-6, "the fourth column"); }};
 
 /*!
-What is told: the members from their own parts, the times from the oracle's, at both examples and far nearer to the top.
+What is told: the members from their own parts, the times from the oracle's, at both examples and far
+nearer to the top.
 */
 
 CHECK_THAT("the members told are the columns, and the times told theirs and the swing's")
