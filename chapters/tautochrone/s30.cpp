@@ -1,5 +1,8 @@
 #include "edition/section.hpp"
+#include "tautochrone/cheeks.hpp"
 #include "tautochrone/curve.hpp"
+#include "tautochrone/euler.hpp"
+#include "tautochrone/member.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
 
@@ -20,13 +23,13 @@ for the radius $r = MG$ where the free part of the pendulum makes the angle $\va
 {{sec tautochrone.29}} the terms with $kk$ gave $P = -(1-\cos^4\varphi)/a\cos^3\varphi$. Now the terms with
 $k^4$ must vanish too. Divided by $a\,d\varphi$ they are
 
-$$ \begin{aligned} a^3Q\cos^3\varphi &+ 3aaPP\cos^2\varphi + 3aP\cos\varphi - 3aP\cos^3\varphi \\
+$$ \begin{aligned} a^3Q\cos^3\varphi &+ 3aaPP{{entry first_line}}\cos^2\varphi + 3aP\cos\varphi - 3aP\cos^3\varphi \\
    &- \frac{a\,dP\sin\varphi}{d\varphi} + 2\sin^2\varphi = 0. \end{aligned} \tag{1} $$
 
 With $P$, $PP$ and $dP$ put in from {{sec tautochrone.29}} this becomes
 
 $$ \begin{aligned}
-   a^3Q\cos^3\varphi &+ \frac{3}{\cos^4\varphi} - 3 - \frac{3}{\cos^2\varphi} + 3\cos^2\varphi \\
+   a^3Q\cos^3\varphi &+ \frac{3}{\cos^4\varphi}{{entry three_over}} - 3 - \frac{3}{\cos^2\varphi} + 3\cos^2\varphi \\
    &+ 3\sin^2\varphi + \frac{3\sin^2\varphi}{\cos^4\varphi} = 0, \end{aligned} \tag{2} $$
 
 or, since $\sin^2\varphi = 1 - \cos^2\varphi$,
@@ -39,7 +42,7 @@ $$ Q = \frac{-6 + 6\cos^2\varphi}{a^3\cos^7\varphi} = \frac{-6\sin^2\varphi}{a^3
 
 Therefore, nearly,
 
-$$ r = a\cos\varphi - \frac{kk\,(1-\cos^4\varphi)}{a\cos^3\varphi}
+$$ r = a\cos\varphi - \frac{kk\,(1-\cos^4\varphi)}{a\cos^3\varphi}{{entry fourth_power}}
    - \frac{6k^4\sin^2\varphi}{a^3\cos^7\varphi}. \tag{5} $$
 
 In the vertical, $\varphi = 0$, this is $r = a = AC$, as the nature of the thing demands.
@@ -57,7 +60,7 @@ with them in exact fractions, for all $\varphi$ at once.
 ::: code tautochrone/series.hpp powers
 :::
 
-Where the scan is damaged its reading can be put in; the defaults are right.
+Where the scan is damaged its reading can be put in; the functions' own defaults are right.
 */
 
 const Powers sin2 = 1 - cosine(2);
@@ -80,14 +83,15 @@ Powers Q(const Rational& a)  // (4)
 }
 
 /*!
-Formula {{eq 5}} serves the next sections too.
+Formula {{eq 5}} serves the next sections too. With $t = \tan^2\varphi$ it is a product, and nothing cancels
+at small angles:
 
-::: code tautochrone/series.hpp radius (5)
+::: code tautochrone/euler.hpp curve (5)
 :::
 
 A second route forgets these lines and starts from the equation of {{sec tautochrone.28}}. For $a = 1$ and
-$u = kk + rr$ it is $uu - (1+kk)\,ru\cos\varphi - kk(1+kk)\,\frac{dr}{d\varphi}\sin\varphi = 0$; with
-$k^{2n}$ the unknown coefficient $r_n$ is multiplied by $\cos^3\varphi$, and all else is known.
+$u = kk + rr$ it is $uu - (1+kk)\,ru\cos\varphi - kk(1+kk)\,\frac{dr}{d\varphi}\sin\varphi = 0$; with $k^{2n}$ the
+unknown coefficient $r_n$ is multiplied by $\cos^3\varphi$, and all else is known.
 
 ::: code tautochrone/series.cpp corrections
 :::
@@ -99,25 +103,36 @@ The judge is a curve that satisfies Euler's equation exactly. {{sec tautochrone.
 
 For $k < a$ infinitely many of its solutions pass through $r = a$ at $\varphi = 0$, where it is singular; each
 is a tautochrone up to the place where $dr = 0$ and its cheek would have to turn back. The one that lets the
-pendulum rise highest ends at $\tan\varphi = (a-k)/\sqrt{ak}$; {{api tautochrone::highest}} follows it from
-there backwards, because backwards all errors die.
+pendulum rise highest ends at $\tan\varphi = (a-k)/\sqrt{ak}$; {{api tautochrone::highest}} follows it from there
+backwards, because backwards all errors die.
 */
 
-const auto k = real("k", 0.1, none, from_below(1e-9, 1), "radius of gyration, the length AC being a = 1");
-const auto phi = angle("phi", 30_deg, open(0_deg, 90_deg), "angle of the free part with the vertical");
+const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
+const auto k = real("k", 0.1, metres, scale, "radius of gyration");
+const auto phi = angle("phi", 30_deg, closed(0_deg, 90_deg), "angle of the free part with the vertical");
+const auto phi0 = angle("phi0", 30_deg, open(0_deg, 90_deg), "how far the clock's pendulum swings");
+const auto order = integer("order", 2, 0, 12, "corrections that are kept; Euler has two");
+
+Fifty ratio()  // k/a
+{
+  return k.fifty() / a.fifty();
+}
 
 TELL
 {
-  const Fifty end = highest_end(Fifty(k)).phi;
-  require(Fifty(phi) <= end, "phi", "up to the end of the curve, tan φ = (a − k)/√(ak)");
-  const Fifty exact = highest(Fifty(k), Fifty(phi));
-  const auto error = [&](int n) { return double(truncated(n, Fifty(k))(cos(Fifty(phi))) - exact); };
-  tell("r", radius<double>(1, k, phi), "the radius of curvature by (5), in units of a");
-  tell("exact", double(exact), "that of the highest exact tautochrone");
-  tell("error_0", error(0), "by how much the cycloid's radius, a cos φ, is too large");
+  require(ratio() >= 1e-9 && ratio() < 1, "k", "at least 1e-9 a and less than a");
+  const Position last = end(Member::highest, k / a);
+  require(phi <= last.phi, "phi", "up to the end of the curve, tan φ = (a − k)/√(ak)");
+  const double exact = at(Member::highest, k / a, phi).r;
+  tell("r", euler_r<double>(a, k, phi), metres, "the radius of curvature by (5)");
+  tell("series", a * radius_by_series(order, k / a, phi), metres,
+       "the same with the corrections that are kept");
+  tell("exact", a * exact, metres, "that of the highest exact tautochrone");
+  const auto error = [&](int n) { return radius_by_series(n, k / a, phi) - exact; };
+  tell("error_0", error(0), "by how much the cycloid's radius is too large, over a");
   tell("error_1", error(1), "the same with the first correction");
   tell("error_2", error(2), "the same by (5)");
-  tell("end", double(end), degrees, "where the exact curve ends");
+  tell("end", last.phi, degrees, "where the exact curve ends");
 }
 
 /*!
@@ -127,26 +142,25 @@ takes than a small one on each of the three curves; on an exact tautochrone it t
 
 TELL
 {
-  const auto late = [](int n) {
-    return late_in_a_day(excess(truncated(n, Fifty(k)), Fifty(k), exact::pi() / 6));
+  const auto late = [](const char* name, Cheeks cheeks, const char* meaning) {
+    if(phi0 < largest_amplitude(cheeks, k / a))
+      tell(name, 86400 * excess(cheeks, k / a, phi0), seconds, meaning);
   };
-  tell("lost_0", late(0), seconds, "what swings of 30° lose in a day on Huygens's cheeks");
-  tell("lost_1", late(1), seconds, "the same on cheeks with the first correction");
-  tell("lost_2", late(2), seconds, "the same on those that belong to (5)");
+  late("lost_0", Cheeks::cycloids, "what such swings lose in a day on Huygens's cheeks");
+  late("lost_1", Cheeks::euler_kk, "the same on cheeks with the first correction");
+  late("lost_2", Cheeks::euler_k4, "the same on those that belong to (5)");
 }
 
 TELL
 {
   curve("radius", {"phi", "exact", "n0", "n1", "n2", "n4", "n8"}, [](Curve& out) {
-    std::vector<Fifty> angles;
+    const double last = end(Member::highest, k / a).phi;
     for(int i = 0; i <= 140; ++i)
-      angles.push_back(highest_end(Fifty(k)).phi * i / 140);
-    const std::vector<Fifty> exact = highest(Fifty(k), angles);
-    for(std::size_t i = 0; i < angles.size(); ++i)
     {
-      std::vector<double> row{double(angles[i]) / 1_deg, double(exact[i])};
+      const double here = last * i / 140;
+      std::vector<double> row{here / 1_deg, at(Member::highest, k / a, here).r};
       for(const int n : {0, 1, 2, 4, 8})
-        row.push_back(double(truncated(n, Fifty(k))(cos(angles[i]))));
+        row.push_back(radius_by_series(n, k / a, here));
       out.put(row);
     }
   });
@@ -164,8 +178,8 @@ Euler's curve with two corrections lies below it and runs to zero at 66 degrees.
 to Euler's to about 45 degrees, falls steeply between 45 and 60, and ends at 71 degrees at 0.30.
 
 The radius of curvature, in units of $a$. To about 45° Euler's formula and the exact curve are one line.
-Beyond, his runs to $r = 0$, where the whole thread would be wound up; the exact curve keeps away from zero,
-and ends at {{end|deg1}}.
+Beyond, his runs to $r = 0$, where the whole thread would be wound up; the exact curve keeps away from zero, and
+ends at {{end|deg1}}.
 :::
 
 ::: figure tautochrone-30-errors
@@ -178,20 +192,28 @@ exact curve. The more corrections, the better at small angles, and the worse at 
 :::
 
 ## Speed against error
+
+Three ways to one radius: the formula, the series with more or fewer corrections, and the exact equation followed
+backwards from the end of the curve, by GSL's steps and by the flow on the sphere.
 */
+
+constexpr std::pair<int, const char*> kept[]{{1, "k²"}, {2, "k⁴"}, {4, "k⁸"}, {8, "k¹⁶"}, {12, "k²⁴"}};
+constexpr std::pair<double, const char*> steps[]{
+    {1e-4, "10⁻⁴"}, {1e-7, "10⁻⁷"}, {1e-10, "10⁻¹⁰"}, {1e-13, "10⁻¹³"}};
 
 TELL
 {
-  std::vector<Method> ways{{"formula (5)", [] { return radius<double>(1, k, phi); }}};
-  for(const auto& [n, last] : {std::pair{1, "k²"}, {2, "k⁴"}, {4, "k⁸"}, {8, "k¹⁶"}, {12, "k²⁴"}})
+  const double small = k / a;
+  std::vector<Method> ways{{"formula (5)", [=] { return euler_r<double>(1, small, phi); }}};
+  for(const auto& [n, last] : kept)
     ways.push_back({std::string("series to ") + last,
-                    [r = truncated_in_double(n, Fifty(k))] { return r(std::cos(phi)); }, "series"});
-  for(const auto& [eps, name] :
-      {std::pair{1e-4, "10⁻⁴"}, {1e-7, "10⁻⁷"}, {1e-10, "10⁻¹⁰"}, {1e-13, "10⁻¹³"}})
-    if(k >= 0.01)  // for a smaller body the equation is too stiff
+                    [=, last_one = n] { return radius_by_series(last_one, small, phi); }, "series"});
+  if(small >= 0.01 && phi > 0)  // for a smaller body the equation is too stiff
+    for(const auto& [eps, name] : steps)
       ways.push_back({std::string("followed back, ") + name,
-                      [tolerance = eps] { return followed_back(k, phi, tolerance); }, "GSL"});
-  race("r", "r", highest(Fifty(k), Fifty(phi)), ways);
+                      [=, tolerance = eps] { return followed_back(small, phi, tolerance); }, "GSL"});
+  ways.push_back({"flow on the sphere", [=] { return at(Member::highest, small, phi).r; }});
+  race("r", "r/a", highest(ratio(), phi.fifty()), ways);
 }
 
 /*!
@@ -249,6 +271,78 @@ CHECK_THAT("the error of (5) is the next term of the series, the more nearly the
 }
 
 /*!
+What is told is compared with fifty digits: with the series summed after its recursion, with the exact curve
+followed back after another equation, with the times by quadrature.
+*/
+
+CHECK_THAT("the radii told are the series' and the exact curve's, at any a, k and φ")
+{
+  for(const Told& now :
+      told_at("", "a=2 k=0.6 phi=40 order=5", "k=0.02 phi=60 order=12", "a=3e50 k=2.9e50 phi=1e-9 order=1"))
+  {
+    const Fifty r = highest(ratio(), phi.fifty()), c = cos(phi.fifty());
+    const auto sizes = [&](int n) {
+      Fifty sum = 0;
+      for(int i = 1; i <= n; ++i)
+        sum += abs(truncated(i, ratio())(c) - truncated(i - 1, ratio())(c));
+      return double(sum + 1) * 1e-14;
+    };
+    const char* const bound = "the library's bound, of the largest term";
+    CHECK(now.value("r", metres) == within(a.fifty() * truncated(2, ratio())(c), a * sizes(2), bound));
+    CHECK(now.value("series", metres)
+          == within(a.fifty() * truncated(order, ratio())(c), a * sizes(order), bound));
+    CHECK(now.value("exact", metres) == within_relative(a.fifty() * r, 2e-14, "the library's bound"));
+    for(const auto& [name, n] : {std::pair{"error_0", 0}, {"error_1", 1}, {"error_2", 2}})
+      CHECK(now.value(name) == within(truncated(n, ratio())(c) - r, 2 * sizes(n), "both bounds"));
+    const Fifty tangent = (1 - ratio()) / sqrt(ratio());
+    CHECK(now.value("end", degrees)
+          == within_relative(atan(tangent), 1e-15 / (1 - k / a), "k/a rounds, and 1 − k/a"));
+  }
+}
+
+CHECK_THAT(
+    "what is lost in a day is what a quadrature of fifty digits finds, and nothing is told of no curve")
+{
+  for(const Told& now : told_at("", "k=0.3 phi0=45", "a=2 k=0.04 phi0=60"))
+    for(const auto& [name, n] : {std::pair{"lost_0", 0}, {"lost_1", 1}, {"lost_2", 2}})
+      CHECK(now.value(name, seconds)
+            == within_relative(86400 * excess(truncated(n, ratio()), ratio(), phi0.fifty()), 1e-12,
+                               "the library's bound, and that of k/a near the end of the curve"));
+  for(const Told& now : told_at("k=0.3 phi=10 phi0=60"))
+    CHECK_THROWS(now.value("lost_2", seconds));
+}
+
+CHECK_THAT("the figure's curves and the race's ways are the exact curve and the series")
+{
+  for(const Told& now : told_at("", "k=0.3 phi=20", "a=2 k=0.1 phi=70"))
+  {
+    const auto close = [](const Fifty& c, int n) {  // of the largest term
+      return 2e-14 * (1 + double(abs(truncated(n, ratio())(c) - c)));
+    };
+    const Fifty c = cos(phi.fifty()), r = highest(ratio(), phi.fifty());
+    CHECK(now.exact("r") == within_relative(at(Member::highest, k / a, phi).r, 1e-13, "two routes"));
+    CHECK(now.method("r", "flow on the sphere") == within_relative(r, 2e-14, "the library's bound"));
+    CHECK(now.method("r", "formula (5)") == within(truncated(2, ratio())(c), close(c, 2), "its bound"));
+    for(const auto& [n, last] : kept)
+      CHECK(now.method("r", std::string("series to ") + last)
+            == within(truncated(n, ratio())(c), close(c, n), "the library's bound"));
+    for(const auto& [eps, name] : steps)
+      CHECK(now.method("r", std::string("followed back, ") + name)
+            == within(r, 2 * eps + 1e-13, "backwards the errors of the steps die, all but the last few"));
+    for(const auto& point : now.points("radius", 6))
+    {
+      const Fifty angle_ = Fifty(point.at("phi")) * exact::pi() / 180, cosine_ = cos(angle_);
+      if(angle_ > 0 && angle_ < highest_end(ratio()).phi)
+        CHECK(point.value("exact")
+              == within_relative(highest(ratio(), angle_), 1e-13, "its bound, and φ's"));
+      for(const auto& [name, n] : {std::pair{"n0", 0}, {"n1", 1}, {"n2", 2}, {"n4", 4}, {"n8", 8}})
+        CHECK(point.value(name)
+              == within(truncated(n, ratio())(cosine_), 40 * close(cosine_, n), "its bound, and φ's"));
+    }
+  }
+}
+
+/*!
 In the scan {{eq 1}} and {{eq 5}} have suffered, and {{eq 2}} has a wrong figure, which may be the scan's or
 the printer's. The readings are tried at $\cos\varphi = \tfrac35$, in fractions.
 */
@@ -284,12 +378,11 @@ const Emendation fourth_power{
 /*!
 ## Notes
 
-Euler says nothing of how near *nearly* is. Today the series would be called asymptotic: it diverges, but for
-a small body on a long thread and no wide swings, his own condition, its terms fall for long before they
-grow.
+Euler says nothing of how near *nearly* is. Today the series would be called asymptotic: it diverges, but for a
+small body on a long thread and no wide swings, his own condition, its terms fall for long before they grow.
 
-$P$ and $Q$ come without integration: since $dr$ is multiplied by $kk$, it enters each order with a
-coefficient already known. So no constant of integration appears, and it stays hidden that the tautochrone is
-not unique. Near the vertical the others differ from Euler's by a multiple of $\varphi$ to the power
-$aa/kk - 1$, smaller than every power of $kk$.
+$P$ and $Q$ come without integration: since $dr$ is multiplied by $kk$, it enters each order with a coefficient
+already known. So no constant of integration appears, and it stays hidden that the tautochrone is not unique.
+Near the vertical the others differ from Euler's by a multiple of $\varphi$ to the power $aa/kk - 1$, smaller
+than every power of $kk$.
 */
