@@ -1,0 +1,201 @@
+#include "edition/section.hpp"
+#include "exact/quadrature.hpp"
+#include "tautochrone/curve.hpp"
+#include "tautochrone/euler.hpp"
+#include "tautochrone/series.hpp"
+
+SECTION(tautochrone, 33, "The cheek: its arc, and how it is bent")
+
+using namespace tautochrone;
+
+/*!
+## What Euler does
+
+For a pendulum one needs not the curve that it describes but the cheek that makes it do so, which is that curve's evolute. To
+find this directrix $AMB$, let any arc of it be $AM = s$, the abscissa $AP = p$, and the ordinate $PM = q$. Then
+
+$$ s = a - r, \qquad dp = ds\cos\varphi, \qquad dq = ds\sin\varphi, \tag{1} $$
+
+because the thread, of the length $a$, lies on the cheek with its part $s$ and touches it with the rest. From what was
+found before,
+
+$$ s = a - a\cos\varphi - \frac{kk\cos\varphi}a + \frac{kk}{a\cos^3\varphi} - \frac{6k^4}{a^3{{entry cube_of_a}}\cos^5\varphi} +
+\frac{6k^4}{a^3\cos^7\varphi}, \tag{2} $$
+
+$$ \begin{aligned} ds = a\,d\varphi\sin\varphi + \frac{kk\,d\varphi\sin\varphi}a &+ \frac{3kk\,d\varphi\sin\varphi}{a\cos^4\varphi}
+ \\ &- \frac{30k^4d\varphi\sin\varphi}{a^3\cos^6\varphi} + \frac{42k^4d\varphi\sin\varphi}{a^3\cos^8\varphi}, \end{aligned} \tag{3} $$
+
+$$ \begin{aligned} dp = a\,d\varphi\sin\varphi\cos\varphi &+ \frac{kk\,d\varphi\sin\varphi\cos\varphi}a
+ + \frac{3kk\,d\varphi\sin\varphi}{a\cos^3\varphi} \\ &- \frac{30k^4d\varphi\sin\varphi}{a^3\cos^5\varphi} +
+ \frac{42k^4d\varphi\sin\varphi}{a^3\cos^7\varphi}, \end{aligned} \tag{4} $$
+
+$$ \begin{aligned} dq = a\,d\varphi\sin^2\varphi &+ \frac{kk\,d\varphi\sin^2\varphi}a - \frac{3kk\,d\varphi}{a\cos^2\varphi} +
+ \frac{3kk\,d\varphi}{a\cos^4\varphi} \\ &+ \frac{30k^4d\varphi}{a^3\cos^4\varphi} - \frac{72k^4d\varphi}{a^3\cos^6\varphi} +
+ \frac{42k^4d\varphi}{a^3\cos^8\varphi}. \end{aligned} \tag{5} $$
+
+::: margin
+$ds/d\varphi$ is the cheek's own radius of curvature. It is zero in $A$: the two cheeks meet there in a cusp.
+:::
+
+## The program
+
+As they stand, {{eq 2}} and {{eq 5}} lose their digits at small angles, where terms of the size of $a$ must leave a number of
+the size of $a\varphi^2$. With $t = \tan^2\varphi$ all that is left of them is positive:
+
+::: code tautochrone/euler.hpp cheek (2) (3)
+:::
+*/
+
+double dp_over_dphi(double a, double k, double phi)  // (4)
+{
+  return euler_ds<double>(a, k, phi) * std::cos(phi);
+}
+
+double dq_over_dphi(double a, double k, double phi)  // (5)
+{
+  return euler_ds<double>(a, k, phi) * std::sin(phi);
+}
+
+const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
+const auto k = real("k", 0.1, metres, scale, "radius of gyration");
+const auto phi = angle("phi", 30_deg, closed(0_deg, 85_deg),
+                       "angle of the thread with the vertical, where it leaves the cheek");
+
+TELL
+{
+  require(k / a <= 1, "k", "at most a");
+  tell("s", euler_s<double>(a, k, phi), metres, "AM, the arc on which the thread lies");
+  tell("ds", euler_ds<double>(a, k, phi), metres, "ds/dφ, the cheek's radius of curvature");
+  tell("dp", dp_over_dphi(a, k, phi), metres, "dp/dφ");
+  tell("dq", dq_over_dphi(a, k, phi), metres, "dq/dφ");
+  tell("cycloid", euler_s<double>(a, 0, phi), metres, "the arc on Huygens's cheek");
+}
+
+TELL
+{
+  curve("bends", {"phi", "cycloid", "kk", "k4"}, [](Curve& out) {
+    for(int i = 0; i <= 65; ++i)
+    {
+      const double here = i * 1_deg, c = std::cos(here);
+      out.put({double(i), std::sin(here), std::sin(here) * (1 + 0.01 * (1 + 3 / (c * c * c * c))),
+               euler_ds<double>(1, 0.1, here)});
+    }
+  });
+  curve("exact", {"phi", "ds"}, [](Curve& out) {
+    const double last = double(highest_end(Fifty("0.1")).phi);
+    for(int i = 1; i <= 70; ++i)
+    {
+      const Fifty here = last * Fifty(i) / 70;
+      out.put({double(here) / 1_deg, -double(slope(here, highest(Fifty("0.1"), here), Fifty("0.1")))});
+    }
+  });
+}
+
+/*!
+At 30° the thread lies on the cheek with {{s|8}} m; on Huygens's it would with {{cycloid|8}} m.
+
+::: figure tautochrone-33
+alt: The cheek's radius of curvature against the angle. The cycloid's is the sine. Euler's with one and with two corrections leave it upwards, the second
+steeply from 45 degrees. The exact one rises to a peak above 50 degrees and falls to zero at 71 degrees.
+
+How the cheek is bent, $k = \tfrac1{10}a$: its radius of curvature. Euler's cheek gets ever flatter. That which belongs to the
+highest exact tautochrone is flattest between 50° and 60°, and ends at 71° in a second cusp, where $ds = 0$.
+:::
+
+## Checks
+*/
+
+CHECK_THAT("(2) is a − r; (3), (4) and (5) are its differentials, term by term in fractions")
+{
+  const Powers sin2 = 1 - cosine(2);
+  for(const Rational& kk : {Rational(1, 100), Rational(4, 25)})
+  {
+    const auto r_n = corrections<Rational>(2);
+    const Powers s = 1 - cosine(1) - kk * cosine(1) + kk * cosine(-3) - 6 * kk * kk * cosine(-5)
+                     + 6 * kk * kk * cosine(-7);
+    CHECK(s == 1 - r_n[0] - kk * r_n[1] - kk * kk * r_n[2]);
+    const Powers bent = 1 + kk + 3 * kk * cosine(-4) - 30 * kk * kk * cosine(-6)
+                        + 42 * kk * kk * cosine(-8);  // ds/sin φ dφ
+    CHECK(slope_times_sine(s) == sin2 * bent);
+    CHECK(cosine(1) * bent
+          == cosine(1) + kk * cosine(1) + 3 * kk * cosine(-3) - 30 * kk * kk * cosine(-5)
+                 + 42 * kk * kk * cosine(-7));
+    CHECK(sin2 * bent
+          == sin2 + kk * sin2 - 3 * kk * cosine(-2) + 3 * kk * cosine(-4) + 30 * kk * kk * cosine(-4)
+                 - 72 * kk * kk * cosine(-6) + 42 * kk * kk * cosine(-8));
+  }
+}
+
+/*!
+What is told is compared with {{eq 2}} to {{eq 5}} as they stand, in fifty digits.
+*/
+
+CHECK_THAT("arc and bend told are those of (2) to (5), for any a, k and φ, also where (2) loses all but a "
+           "few digits")
+{
+  for(const Told& now :
+      told_at("", "a=2 k=0.7 phi=80", "a=3e60 k=3e58 phi=1e-8", "a=1e-40 k=1e-60 phi=60", "phi=1e-14"))
+  {
+    const Fifty A = a.fifty(), kk = pow(k.fifty() / A, 2), k4 = kk * kk, c = cos(phi.fifty()),
+                s = sin(phi.fifty());
+    const Fifty arc = 1 - c - kk * c + kk / pow(c, 3) - 6 * k4 / pow(c, 5) + 6 * k4 / pow(c, 7);
+    const Fifty bend = s * (1 + kk + 3 * kk / pow(c, 4) - 30 * k4 / pow(c, 6) + 42 * k4 / pow(c, 8));
+    const char* const why = "the library's bound, and the angle's rounding";
+    CHECK(now.value("s", metres) == within_relative(A * arc, 2e-14, why));
+    CHECK(now.value("ds", metres) == within_relative(A * bend, 2e-14, why));
+    CHECK(now.value("dp", metres) == within_relative(A * bend * c, 2e-14, why));
+    CHECK(now.value("dq", metres) == within_relative(A * bend * s, 2e-14, why));
+    CHECK(now.value("cycloid", metres)
+          == within_relative(A * 2 * pow(sin(phi.fifty() / 2), 2), 1e-15, "a square"));
+  }
+}
+
+CHECK_THAT("in the figure the exact cheek's bend is the slope of the exact radius, by differences, and "
+           "ends in zero")
+{
+  const Fifty ratio("0.1"), h("1e-7");
+  for(const Told& now : told_at(""))
+  {
+    const auto all = now.points("exact");
+    for(const std::size_t i : {std::size_t(10), std::size_t(40), std::size_t(60)})
+    {
+      const Fifty here = Fifty(all[i].at("phi")) * exact::pi() / 180;
+      const Fifty slope_ = (highest(ratio, here + h) - highest(ratio, here - h)) / (2 * h);
+      CHECK(all[i].value("ds") == within_relative(-slope_, 1e-10, "the square of the step"));
+    }
+    CHECK(all.back().value("ds") == within(0, 1e-13, "the end, whose angle is rounded"));
+    CHECK(all.back().value("phi")
+          == within(atan(Fifty("0.9") / sqrt(ratio)) * 180 / exact::pi(), 1e-13, "the same"));
+    for(const auto& point : now.points("bends", 5))
+    {
+      const Fifty x = Fifty(point.at("phi")) * exact::pi() / 180, c = cos(x), e4 = pow(c, -4),
+                  kk = ratio * ratio;
+      CHECK(point.value("cycloid") == within(sin(x), 2e-16, "a sine"));
+      CHECK(point.value("kk") == within_relative(sin(x) * (1 + kk + 3 * kk * e4), 4e-15, "a fourth power"));
+      CHECK(point.value("k4")
+            == within_relative(
+                sin(x) * (1 + kk + 3 * kk * e4 - 30 * kk * kk * e4 / (c * c) + 42 * kk * kk * e4 * e4),
+                2e-14, "the library's bound"));
+    }
+  }
+}
+
+/*!
+Our copy has $aa$ for $a^3$ under every $k^4$. Then the terms are no lengths; and a cheek so cut would not have the arc $a - r$.
+*/
+
+double arc_with(int power_of_a)  // (2) at a = 2, k = ½, cos φ = ½
+{
+  const double c = 0.5, kk = 0.25, below = std::pow(2, power_of_a);
+  return 2 - 2 * c - kk * c / 2 + kk / (2 * c * c * c)
+         + 6 * kk * kk / below * (std::pow(c, -7) - std::pow(c, -5));
+}
+
+const Emendation cube_of_a{"§33, the terms with k⁴",
+                           {"k⁴ over aa", arc_with(2)},
+                           {"k⁴ over a³", arc_with(3)},
+                           "s is a − r, with r of §30",
+                           [](double arc) {
+                             const Fifty r = 2 * truncated(2, Fifty(1) / 4)(Fifty(1) / 2);
+                             return arc == within_ulps(2 - r, 4, "a few roundings");
+                           }};
