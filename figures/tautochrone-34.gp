@@ -5,7 +5,7 @@ set xrange [0:0.85]
 set yrange [-0.62:0.04]
 set lmargin 9
 set xlabel "{/:Italic q} / {/:Italic a}"
-set ylabel "−{/:Italic p} / {/:Italic a}"
+set ylabel "−{/:Italic p} / {/:Italic a}" offset -1, 0
 set label "{/:Italic k} = 0" at 0.6, -0.44 left textcolor linetype 6
 set label "0.1 {/:Italic a}" at 0.52, -0.55 right textcolor linetype 2
 set label "0.3 {/:Italic a}" at 0.29, -0.53 right textcolor linetype 2
