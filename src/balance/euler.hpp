@@ -60,8 +60,12 @@ Balance<Number> balance_of(const ReleaseOf<Number>& r)
 template <class Number = double>
 struct Constants
 {
-  Number A, B, C;             ///< 𝔄, 𝔅, ℭ: of η, ϑ and ω
-  Number alpha, beta, gamma;  ///< their phases at t = 0
+  Number A;      ///< 𝔄, of η
+  Number B;      ///< 𝔅, of ϑ
+  Number C;      ///< ℭ, of ω
+  Number alpha;  ///< the phase of η at t = 0
+  Number beta;   ///< that of ϑ
+  Number gamma;  ///< that of ω
 };
 // [constants]
 

@@ -28,7 +28,7 @@ inline constexpr Suspended designed{
     {2, 2, 0.0491419399153504980158277981914353, 4. / 3, 1, 33.8387865167112365868474531686185, 16},
     4.55549335388984006168325650473419};
 /// In round numbers (§38).
-inline constexpr Suspended plain{{2, 2, 0.1, 4. / 3, 1, 20, 16}, 5};
+inline constexpr Suspended plain{Instrument{2, 2, 0.1, 4. / 3, 1, 20, 16}, 5};
 
 /// Four angles, or their rates.
 struct Four

@@ -56,8 +56,10 @@ double tilt(const Instrument& instrument, double overweight);
 template <class Number = double>
 struct Places
 {
-  Number x, y;    ///< Cp and pP
-  Number x1, y1;  ///< Cq and qQ
+  Number x;   ///< Cp
+  Number y;   ///< pP
+  Number x1;  ///< Cq
+  Number y1;  ///< qQ
 };
 
 // [places]

@@ -62,8 +62,10 @@ struct Characteristic
 /// aₙ(q), of cosines, n ≥ 0; bₙ(q), of sines, n ≥ 1: the eigenvalues of a symmetric tridiagonal matrix (Eigen). Absolute
 /// error below 1e-11 for n ≤ 40, |q| ≤ 10⁴; relative to the largest of 1, n², q below 1e-14.
 /// @throws std::domain_error unless 0 ≤ n ≤ 200 (1 ≤ n for sines) and |q| ≤ 10⁶
+/// @{
 Characteristic cosine_characteristic(int n, double q);
 Characteristic sine_characteristic(int n, double q);
+/// @}
 
 /// Between which beam frequencies λ a pan's swings grow.
 struct Interval

@@ -31,7 +31,8 @@ double pendulum_excess(const Energy<double>& e);
 template <class Real>
 struct Pendulum_place
 {
-  Real sn, cn;         ///< sin ½Φ over its greatest value, and the cosine of the same
+  Real sn;             ///< sin ½Φ over its greatest value
+  Real cn;             ///< the cosine of the same angle
   Real upsilon;        ///< υ
   bool never = false;  ///< the top, just reached: υ is infinite
 };
@@ -52,7 +53,8 @@ public:
   {
     double upsilon;       ///< υ, within the first quarter
     Place<double> place;  ///< the angle
-    double sn, cn;        ///< as in Pendulum_place
+    double sn;            ///< as in Pendulum_place
+    double cn;            ///< as in Pendulum_place
   };
   /// The other clock's time there, and its derivative by υ, which is above 0.
   struct Rate

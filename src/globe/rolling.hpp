@@ -120,6 +120,7 @@ struct Painleve
   Real mu;   ///< the limit
   Real Phi;  ///< where
 };
+/// The limit of this ball, and the angle that sets it.
 template <class Real>
 Painleve<Real> painleve(const Ball<Real>& ball);
 
