@@ -1,0 +1,326 @@
+/// @file
+/// bench-balance: the motion of the balance, by our collocation with each instruction set and by the usual libraries,
+/// speed and error in one row.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <boost/numeric/odeint.hpp>
+#include <fmt/format.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <nlohmann/json.hpp>
+
+#include "balance/systems.hpp"
+#include "race/race.hpp"
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+using collocation::Moment;
+using namespace balance::systems;
+
+constexpr double year = 2 * std::numbers::pi;  // a period of the beam
+
+/// The equations as an integrator of six numbers wants them, with the C library's sines and the addition theorem, as
+/// quick as they can be written for one processor.
+using State = std::array<double, 6>;
+
+void slope(const Fixed& of, const double* y, double* d)
+{
+  const double so = std::sin(y[0]), co = std::cos(y[0]), se = std::sin(y[1]), ce = std::cos(y[1]),
+               st = std::sin(y[2]), ct = std::cos(y[2]);
+  const double s1 = so * ce - co * se, c1 = co * ce + so * se, s2 = so * ct - co * st,
+               c2 = co * ct + so * st;
+  const double centripetal = of.beta * y[3] * y[3];
+  const double eta = centripetal * c1 - of.mu2 * se, theta = -(of.mu2 * st) - centripetal * c2;
+  const double pull = (s1 * eta - s2 * theta) + (c2 * y[5] * y[5] - c1 * y[4] * y[4]);
+  const double omega = (of.rho / of.beta * pull - of.lambda2 * so) / (1 - of.rho * (s1 * s1 + s2 * s2));
+  d[0] = y[3];
+  d[1] = y[4];
+  d[2] = y[5];
+  d[3] = omega;
+  d[4] = eta + of.beta * omega * s1;
+  d[5] = theta - of.beta * omega * s2;
+}
+
+int slope_for_gsl(double, const double y[], double d[], void* of)
+{
+  slope(*static_cast<const Fixed*>(of), y, d);
+  return GSL_SUCCESS;
+}
+
+int pan_for_gsl(double t, const double y[], double d[], void* of)
+{
+  const Prescribed& p = *static_cast<const Prescribed*>(of);
+  const double stiffness = p.strength * std::cos(p.lambda * t) - p.mu2;
+  d[0] = y[2];
+  d[1] = y[3];
+  d[2] = stiffness * y[0];
+  d[3] = stiffness * y[1];
+  return GSL_SUCCESS;
+}
+
+template <std::size_t n>
+bool by_gsl(int (*equations)(double, const double*, double*, void*), void* of, std::array<double, n>& y,
+            double t, double tolerance)
+{
+  gsl_odeiv2_system system{equations, nullptr, n, of};
+  gsl_odeiv2_driver* driver =
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 0.01, tolerance, tolerance);
+  double from = 0;
+  const int status = gsl_odeiv2_driver_apply(driver, &from, t, y.data());
+  gsl_odeiv2_driver_free(driver);
+  return status == GSL_SUCCESS;
+}
+
+State row(const Moment<3>& m)
+{
+  return {m.x[0], m.x[1], m.x[2], m.v[0], m.v[1], m.v[2]};
+}
+
+/// The largest of the six differences, the pans' rates over μ.
+double error_of(const State& y, const State& exact)
+{
+  double most = 0;
+  for(std::size_t k = 0; k < 6; ++k)
+    most = std::max(most, std::abs(y[k] - exact[k]) / (k > 3 ? 3 : 1));
+  return std::isfinite(y[0]) ? most : HUGE_VAL;
+}
+
+double energy_of(const Fixed& b, const State& y)
+{
+  const auto height = [](double x) { return 2 * std::sin(x / 2) * std::sin(x / 2); };
+  const double pans = (y[4] * y[4] + y[5] * y[5]) / 2 + b.mu2 * (height(y[1]) + height(y[2]));
+  const double coupled = b.beta * y[3] * (y[5] * std::sin(y[0] - y[2]) - y[4] * std::sin(y[0] - y[1]));
+  return y[3] * y[3] / 2 + b.lambda2 * height(y[0]) + b.rho / (b.beta * b.beta) * (pans + coupled);
+}
+
+struct Method
+{
+  std::string name;
+  std::string kind;
+  std::function<double()> run;  ///< its error
+  double energy = 0;            ///< and what it left of the energy, relatively
+};
+
+struct Scene
+{
+  std::string name;
+  std::string quantity;
+  std::vector<Method> methods;  ///< the peer that the others' times are divided by first
+};
+
+constexpr Fixed example{1, 9, 0.5, 0.25};
+
+/// A motion of the example's balance to the time t.
+Scene motion(const std::string& name, const std::string& quantity, const Moment<3>& start, double t,
+             const std::vector<double>& for_gsl, const std::vector<double>& for_odeint,
+             const std::vector<double>& for_us)
+{
+  Scene scene{name, quantity, {}};
+  const auto exact =
+      row(collocation::Motion<Fixed>(example, start, {1e-22, 0.05}, balance::systems::best().fixed).to(t));
+  const auto add = [&](const std::string& way, double tolerance, const std::string& kind,
+                       std::function<State()> run) {
+    const State y = run();
+    const State first = row(start);
+    const double energy = energy_of(example, y) / energy_of(example, first) - 1;
+    scene.methods.push_back({fmt::format("{}, {:.0e}", way, tolerance), kind,
+                             [run, exact] { return error_of(run(), exact); }, energy});
+  };
+  for(const double tolerance : for_gsl)
+    add("GSL rk8pd", tolerance, "peer", [=] {
+      State y = row(start);
+      Fixed of = example;
+      by_gsl(slope_for_gsl, &of, y, t, tolerance);
+      return y;
+    });
+  namespace odeint = boost::numeric::odeint;
+  const auto equations = [](const State& y, State& d, double) { slope(example, y.data(), d.data()); };
+  for(const double tolerance : for_odeint)
+  {
+    add("odeint fehlberg78", tolerance, "peer", [=] {
+      State y = row(start);
+      odeint::integrate_adaptive(
+          odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(tolerance, tolerance), equations,
+          y, 0.0, t, 0.01);
+      return y;
+    });
+    add("odeint bulirsch_stoer", tolerance, "peer", [=] {
+      State y = row(start);
+      odeint::bulirsch_stoer<State> stepper(tolerance, tolerance);
+      odeint::integrate_adaptive(stepper, equations, y, 0.0, t, 0.01);
+      return y;
+    });
+  }
+  for(std::size_t i = 0; i < count(); ++i)
+    for(const double tolerance : for_us)
+      add(fmt::format("Gauss 8, {}", kernels(i).name), tolerance, "ours", [=] {
+        return row(collocation::Motion<Fixed>(example, start, {tolerance, 0.05}, kernels(i).fixed).to(t));
+      });
+  return scene;
+}
+
+Scene ensemble()
+{
+  Scene scene{"ensemble", "eight motions near Euler's example, 100 periods of the beam, 1e-10 a step", {}};
+  std::array<Moment<3>, 8> starts;
+  for(unsigned i = 0; i < 8; ++i)
+    starts[i] = {{1. / 6 + 0.001 * i, 1. / 6 - 0.002 * i, 1. / 6}, {}};
+  for(std::size_t v = 0; v < count(); ++v)
+  {
+    const auto alone = [=] {
+      double sum = 0;
+      for(const auto& start : starts)
+        sum +=
+            collocation::Motion<Fixed>(example, start, {1e-10, 0.05}, kernels(v).fixed).to(100 * year).x[0];
+      return sum;
+    };
+    const auto together = [=] {
+      const auto states =
+          collocation::Ensemble<Fixed>(example, starts, {1e-10, 0.05}, kernels(v).fixed_together)
+              .to(100 * year);
+      double sum = 0;
+      for(const auto& state : states)
+        sum += state.x[0];
+      return sum;
+    };
+    const double expected = alone();
+    scene.methods.push_back({fmt::format("one after the other, {}", kernels(v).name), "ours",
+                             [=] { return std::abs(alone() - expected); }});
+    scene.methods.push_back({fmt::format("side by side, {}", kernels(v).name), "ours",
+                             [=] { return std::abs(together() - expected); }});
+  }
+  return scene;
+}
+
+Scene chart()
+{
+  Scene scene{
+      "chart", "half trace of a pan's equation, a point of the stability chart (a = 36, q = 1/6)", {}};
+  constexpr double exact = 0.9999999946033331161;
+  const Prescribed pan{9, 1, 1. / 12};
+  scene.methods.push_back({"GSL rk8pd, 1e-8", "peer", [=] {
+                             std::array<double, 4> y{1, 0, 0, 1};
+                             Prescribed of = pan;
+                             by_gsl(pan_for_gsl, &of, y, year, 1e-8);
+                             return std::abs((y[0] + y[3]) / 2 - exact);
+                           }});
+  for(std::size_t v = 0; v < count(); ++v)
+    for(const double tolerance : {1e-4, 1e-8})
+      scene.methods.push_back(
+          {fmt::format("Gauss 8, half the period, {}, {:.0e}", kernels(v).name, tolerance), "ours", [=] {
+             collocation::Motion<Prescribed> motion(pan, {{1, 0}, {0, 1}}, {tolerance, 0.5},
+                                                    kernels(v).prescribed);
+             const auto at = motion.to(year / 2);
+             return std::abs(at.x[0] * at.v[1] + at.x[1] * at.v[0] - exact);
+           }});
+  return scene;
+}
+
+std::string processor()
+{
+  std::ifstream info("/proc/cpuinfo");
+  for(std::string line; std::getline(info, line);)
+    if(line.starts_with("model name"))
+      return line.substr(line.find(": ") + 2);
+  return "unknown";
+}
+
+double three_digits(double x)
+{
+  return std::stod(fmt::format("{:.3g}", x));
+}
+
+Json report(const Scene& scene, int rounds)
+{
+  Json json{{"name", scene.name}, {"quantity", scene.quantity}, {"methods", Json::array()}};
+  std::vector<race::Entrant> entrants;
+  for(const Method& method : scene.methods)
+    entrants.push_back({method.name, [&method] { race::keep(method.run()); }, 1});
+  const auto timings = race::run(entrants, {rounds, 2e-3});
+  for(std::size_t i = 0; i < timings.size(); ++i)
+  {
+    const Method& method = scene.methods[i];
+    json["methods"].push_back({{"name", method.name},
+                               {"kind", method.kind},
+                               {"error", three_digits(method.run())},
+                               {"energy", three_digits(method.energy)},
+                               {"seconds", three_digits(timings[i].seconds)},
+                               {"fastest", three_digits(timings[i].fastest)},
+                               {"ratio", three_digits(timings[i].ratio)}});
+  }
+  return json;
+}
+
+void print(const Json& scene)
+{
+  fmt::print("\n{}: {}\n  {:<44} {:>10} {:>10} {:>12} {:>8}\n", scene["name"].get<std::string>(),
+             scene["quantity"].get<std::string>(), "", "error", "energy", "microseconds", "speed");
+  for(const Json& row : scene["methods"])
+    fmt::print("  {:<44} {:>10.2g} {:>10.2g} {:>12.4g} {:>7.3g}x\n", row["name"].get<std::string>(),
+               row["error"].get<double>(), row["energy"].get<double>(), row["seconds"].get<double>() * 1e6,
+               1 / row["ratio"].get<double>());
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app{"The motion of the balance: speed against error, ours and the usual libraries' in one run."};
+  bool as_json = false;
+  int rounds = 11;
+  std::string wanted;
+  app.add_flag("--json", as_json, "print JSON");
+  app.add_option("--rounds", rounds, "rounds of each race")->check(CLI::Range(1, 1000));
+  app.add_option("--scene", wanted, "only scenes whose name contains this");
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch(const CLI::ParseError& e)
+  {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  const Moment<3> start{{1. / 6, 1. / 6, 1. / 6}, {}}, violent{{0.6, 0.9, -0.5}, {}};
+  const std::vector<std::function<Scene()>> scenes{
+      [&] {
+        return motion("hundred", "Euler's example, 100 periods of the beam", start, 100 * year,
+                      {1e-12, 1e-13}, {1e-12, 1e-14}, {1e-7, 1e-8, 1e-10, 1e-14});
+      },
+      [&] {
+        return motion("violent", "(0.6, 0.9, -0.5), 3 periods of the beam", violent, 3 * year,
+                      {1e-12, 1e-14}, {1e-14}, {1e-10, 1e-14});
+      },
+      ensemble, chart,
+      [&] {
+        return motion("long", "Euler's example, 10^4 periods of the beam", start, 1e4 * year, {1e-12}, {},
+                      {1e-9, 1e-14});
+      }};
+  Json json{{"machine", processor()},
+            {"compiler", BALANCE_COMPILER},
+            {"flags", BALANCE_FLAGS},
+            {"rounds", rounds},
+            {"scenes", Json::array()}};
+  for(const auto& make : scenes)
+  {
+    const Scene scene = make();
+    if(scene.name.find(wanted) == std::string::npos)
+      continue;
+    json["scenes"].push_back(report(scene, rounds));
+    if(!as_json)
+      print(json["scenes"].back());
+  }
+  if(as_json)
+    std::cout << json.dump(1) << '\n';
+  return std::cout.flush() ? 0 : 1;
+}
