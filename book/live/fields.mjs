@@ -4,8 +4,27 @@
 import { escape } from '../escape.mjs';
 
 const greek = {
-  alpha: 'α', beta: 'β', gamma: 'γ', delta: 'δ', epsilon: 'ε', zeta: 'ζ', eta: 'η', theta: 'θ', iota: 'ι', kappa: 'κ',
-  lambda: 'λ', mu: 'μ', nu: 'ν', xi: 'ξ', rho: 'ρ', sigma: 'σ', tau: 'τ', phi: 'φ', chi: 'χ', psi: 'ψ', omega: 'ω',
+  alpha: 'α',
+  beta: 'β',
+  gamma: 'γ',
+  delta: 'δ',
+  epsilon: 'ε',
+  zeta: 'ζ',
+  eta: 'η',
+  theta: 'θ',
+  iota: 'ι',
+  kappa: 'κ',
+  lambda: 'λ',
+  mu: 'μ',
+  nu: 'ν',
+  xi: 'ξ',
+  rho: 'ρ',
+  sigma: 'σ',
+  tau: 'τ',
+  phi: 'φ',
+  chi: 'χ',
+  psi: 'ψ',
+  omega: 'ω',
 };
 
 /** A parameter's name as its letter: zeta is ζ. */
@@ -43,7 +62,8 @@ function logarithmic(bottom, top, whole, below) {
 export function slider({ name, kind, default: usual, lo, hi, lo_open: above, hi_open: below, log }) {
   const [low, high] = [Number(lo), Number(hi)];
   const whole = kind === 'integer';
-  if (name === 'eta' && kind === 'angle') return logarithmic(Math.max(low, 10 ** -decades), high, false, below);
+  if (name === 'eta' && kind === 'angle')
+    return logarithmic(Math.max(low, 10 ** -decades), high, false, below);
   if (whole && high - low > 1000) return logarithmic(Math.max(low, 1), high, true, false);
   if (!Number.isFinite(high - low) || high - low > 1e6 * Math.abs(usual))
     return usual > 0 ? logarithmic(usual / 10, usual * 10, false, false) : null;

@@ -10,8 +10,13 @@ const packed = {
   glue: fs.readFileSync(glue, 'utf8'),
   wasm: gzipSync(fs.readFileSync(wasm), { level: 9 }).toString('base64'),
   scripts: Object.fromEntries(
-    files.filter((f) => f.endsWith('.gp')).map((f) => [`figures/${path.basename(f)}`, fs.readFileSync(f, 'utf8')]),
+    files
+      .filter((f) => f.endsWith('.gp'))
+      .map((f) => [`figures/${path.basename(f)}`, fs.readFileSync(f, 'utf8')]),
   ),
-  notice: files.filter((f) => !f.endsWith('.gp')).map((f) => fs.readFileSync(f, 'utf8')).join('\n'),
+  notice: files
+    .filter((f) => !f.endsWith('.gp'))
+    .map((f) => fs.readFileSync(f, 'utf8'))
+    .join('\n'),
 };
 fs.writeFileSync(out, `(self.LIVE ??= {})[${JSON.stringify(name)}] = ${JSON.stringify(packed)};\n`);

@@ -26,7 +26,13 @@ const id = program.replace('-', '.');
 /** Loads a script of the book's folder, once. */
 const load = (name) =>
   new Promise((ready, failed) => {
-    document.head.append(make('script', { src: `live/${name}.js`, onload: ready, onerror: () => failed(new Error(`live/${name}.js is missing`)) }));
+    document.head.append(
+      make('script', {
+        src: `live/${name}.js`,
+        onload: ready,
+        onerror: () => failed(new Error(`live/${name}.js is missing`)),
+      }),
+    );
   });
 const loaded = Promise.all([load(chapter), load('gnuplot')]);
 
@@ -92,7 +98,10 @@ const written = () => {
   const units = new Map((parameters ?? []).map((p) => [p.name, p.unit]));
   const bare = (text) => /^[-+\d.e]+$/i.test(text);
   return [...given]
-    .map(([name, text]) => `${letter(name)} = ${bare(text) ? withUnit(text.replace(/^-/, '−'), units.get(name)) : text}`)
+    .map(
+      ([name, text]) =>
+        `${letter(name)} = ${bare(text) ? withUnit(text.replace(/^-/, '−'), units.get(name)) : text}`,
+    )
     .join(', ');
 };
 const address = () => [...given].map(([name, text]) => `${name}=${encodeURIComponent(text)}`).join('&');
@@ -179,7 +188,10 @@ async function putFormulae(value, usual) {
   const { katex } = self;
   const set = (number) => {
     const box = make('div', { innerHTML: katex.renderToString(asTeX(number), { output: 'htmlAndMathml' }) });
-    return all('.katex-html > .base', box).map((base) => base.innerHTML).join('').replace(/<span class="strut"[^>]*><\/span>/g, '');
+    return all('.katex-html > .base', box)
+      .map((base) => base.innerHTML)
+      .join('')
+      .replace(/<span class="strut"[^>]*><\/span>/g, '');
   };
   for (const formula of formulae) {
     const before = kept.get(formula)?.html ?? formula.innerHTML;
@@ -257,9 +269,15 @@ async function putFigures(still) {
     if (!still()) return;
     figureFault(figure, '');
     const svgNow = figure.querySelector('.drawing > svg');
-    if (!drawings.has(figure)) drawings.set(figure, { html: svgNow.outerHTML, alt: svgNow.querySelector('desc').textContent });
+    if (!drawings.has(figure))
+      drawings.set(figure, { html: svgNow.outerHTML, alt: svgNow.querySelector('desc').textContent });
     const { html, alt } = drawings.get(figure);
-    svgNow.outerHTML = inline(svg, name, `With ${written()}; with the book’s numbers: ${alt}`, colours()).trim();
+    svgNow.outerHTML = inline(
+      svg,
+      name,
+      `With ${written()}; with the book’s numbers: ${alt}`,
+      colours(),
+    ).trim();
     const bare = (drawn) => drawn.replace(/<(title|desc)[^]*?<\/\1>/g, '');
     figure.classList.toggle('yours', bare(figure.querySelector('.drawing > svg').outerHTML) !== bare(html));
   }
@@ -268,7 +286,13 @@ async function putFigures(still) {
 function figureFault(figure, what) {
   figure.querySelector('.undrawn')?.remove();
   if (what)
-    figure.append(make('p', { className: 'undrawn', textContent: 'With these numbers there is nothing that this figure could show.', title: what }));
+    figure.append(
+      make('p', {
+        className: 'undrawn',
+        textContent: 'With these numbers there is nothing that this figure could show.',
+        title: what,
+      }),
+    );
 }
 
 // ----------------------------------------------------------------------------------------------------- the telling

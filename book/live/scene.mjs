@@ -56,7 +56,11 @@ export function stage(scene, rows) {
   const py = (y) => ((high - y) * scale + margin).toFixed(2);
   const place = ([x, y], row) => `${px(value(x, row))},${py(value(y, row))}`;
   const shapes = {
-    rod: (b) => ({ tag: 'polyline', fixed: {}, moving: (row) => ({ points: b.at.map((p) => place(p, row)).join(' ') }) }),
+    rod: (b) => ({
+      tag: 'polyline',
+      fixed: {},
+      moving: (row) => ({ points: b.at.map((p) => place(p, row)).join(' ') }),
+    }),
     trail: (b) => ({ tag: 'polyline', fixed: { points: rows.map((row) => place(b.at[0], row)).join(' ') } }),
     bob: (b) => ({
       tag: 'circle',
@@ -82,7 +86,11 @@ export function stage(scene, rows) {
     height,
     bodies: scene.bodies.map((b) => {
       const { tag, fixed, moving } = shapes[b.kind](b);
-      return { tag, fixed: { class: b.kind, style: `--body:var(--${b.colour ?? 'ink'})`, ...fixed }, moving: moving ?? (() => ({})) };
+      return {
+        tag,
+        fixed: { class: b.kind, style: `--body:var(--${b.colour ?? 'ink'})`, ...fixed },
+        moving: moving ?? (() => ({})),
+      };
     }),
   };
 }
@@ -96,7 +104,9 @@ const written = (attributes) =>
 export function still(scene, tsv, name, alt) {
   const rows = rowsOf(tsv);
   const { viewBox, width: w, height, bodies } = stage(scene, rows);
-  const drawn = bodies.map(({ tag, fixed, moving }) => `<${tag}${written({ ...fixed, ...moving(rows[0]) })}/>`);
+  const drawn = bodies.map(
+    ({ tag, fixed, moving }) => `<${tag}${written({ ...fixed, ...moving(rows[0]) })}/>`,
+  );
   return (
     `<svg width="${w}" height="${height}" viewBox="${viewBox}" role="img" aria-labelledby="${name}-title">` +
     `<title id="${name}-title">${escape(alt)}</title>${drawn.join('')}</svg>\n`

@@ -1,5 +1,5 @@
-// All sections in one program, for the tests: each line of standard input is a JSON list ["tell" or "check", program, given],
-// each line of standard output its answer.
+// All sections in one program, for the tests: each line of standard input is a JSON list ["tell" or
+// "check", program, given], each line of standard output its answer.
 
 #include <iostream>
 

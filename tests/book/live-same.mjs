@@ -18,7 +18,9 @@ const fault = (what) => faults.push(what);
 // The modules, as a page has them: scripts that put themselves into self.LIVE. They are made for a worker.
 globalThis.self = { location: { href: 'blob:' } };
 globalThis.importScripts = () => {};
-for (const file of fs.readdirSync(path.join(build, 'html/live')).filter((f) => !['live.js', 'katex.js'].includes(f)))
+for (const file of fs
+  .readdirSync(path.join(build, 'html/live'))
+  .filter((f) => !['live.js', 'katex.js'].includes(f)))
   vm.runInThisContext(read(`html/live/${file}`), { filename: file });
 const engines = {};
 const engine = (program) => {
@@ -47,7 +49,8 @@ function settings(parameters) {
     : [];
 }
 
-const differing = (a, b) => Object.keys({ ...a, ...b }).filter((name) => JSON.stringify(a[name]) !== JSON.stringify(b[name]));
+const differing = (a, b) =>
+  Object.keys({ ...a, ...b }).filter((name) => JSON.stringify(a[name]) !== JSON.stringify(b[name]));
 
 let compared = { told: 0, data: 0, figures: 0, claims: 0, settings: 0, refused: 0 };
 const figures = fs.readdirSync(path.join(build, 'drawn')).filter((f) => f.endsWith('.svg'));
@@ -60,14 +63,17 @@ for (const program of programs) {
     continue;
   }
   const told = JSON.parse(read(`told/${program}.json`));
-  for (const name of differing(told, there.told)) fault(`${program}: ${name} differ from what the program tells`);
+  for (const name of differing(told, there.told))
+    fault(`${program}: ${name} differ from what the program tells`);
   if (there.text !== read(`told/${program}.txt`)) fault(`${program}: the text differs`);
   compared.told += 1;
   for (const [name, content] of Object.entries(there.data)) {
     compared.data += 1;
     if (content !== read(`told/${name}`)) fault(`${program}: ${name} differs`);
   }
-  for (const file of figures.filter((f) => f.startsWith(program) && self.LIVE[program.split('-')[0]].scripts[`figures/${f.slice(0, -4)}.gp`])) {
+  for (const file of figures.filter(
+    (f) => f.startsWith(program) && self.LIVE[program.split('-')[0]].scripts[`figures/${f.slice(0, -4)}.gp`],
+  )) {
     compared.figures += 1;
     const drawn = await engine(program).draw(file.slice(0, -4));
     if (drawn !== read(`drawn/${file}`)) fault(`${program}: ${file} is drawn otherwise`);
@@ -88,7 +94,8 @@ for (const program of [...programs].reverse()) {
     compared.settings += 1;
     if (here.refused) compared.refused += 1;
     const where = `${program} with ${JSON.stringify(given)}`;
-    if ((here.refused ?? here.failed) !== (there.refused ?? there.failed)) fault(`${where}: refused otherwise`);
+    if ((here.refused ?? here.failed) !== (there.refused ?? there.failed))
+      fault(`${where}: refused otherwise`);
     else if (here.told) {
       for (const name of differing(here.told, there.told)) fault(`${where}: ${name} differ`);
       for (const name of differing(here.data, there.data)) fault(`${where}: ${name} differs`);
@@ -99,7 +106,8 @@ for (const program of [...programs].reverse()) {
 // And once more, after all that: nothing is left over from run to run.
 for (const program of programs) {
   const there = await engine(program).tell(program, {});
-  if (there.told && there.text !== read(`told/${program}.txt`)) fault(`${program}: told again it tells something else`);
+  if (there.told && there.text !== read(`told/${program}.txt`))
+    fault(`${program}: told again it tells something else`);
 }
 
 native.stdin.end();

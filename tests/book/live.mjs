@@ -11,9 +11,12 @@ import { packages } from '../../book/packages.mjs';
 import { rows } from '../../book/table.mjs';
 
 const [site, bin] = process.argv.slice(2).map((p) => path.resolve(p));
-const executablePath = [process.env.BROWSER, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(
-  (p) => p && fs.existsSync(p),
-);
+const executablePath = [
+  process.env.BROWSER,
+  '/usr/bin/chromium',
+  '/usr/bin/chromium-browser',
+  '/usr/bin/google-chrome',
+].find((p) => p && fs.existsSync(p));
 if (!executablePath) {
   console.error('no browser (chromium): the live pages were not tried');
   process.exit(process.env.CI ? 1 : 77);
@@ -22,7 +25,16 @@ const { chromium } = packages('playwright-core');
 const axe = fs.readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
 const browser = await chromium.launch({
   executablePath,
-  args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run', '--js-flags=--expose-gc', '--enable-precise-memory-info'],
+  args: [
+    '--no-sandbox',
+    '--disable-gpu',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+    '--no-first-run',
+    '--js-flags=--expose-gc',
+    '--enable-precise-memory-info',
+  ],
 });
 const faults = [];
 const expect = (holds, what) => holds || faults.push(what);
@@ -36,7 +48,10 @@ page.on('request', (r) => {
   expect(/^(file|data|blob):/.test(r.url()), `asks for ${r.url()}`);
 });
 page.on('pageerror', (e) => faults.push(`${page.url()}: throws ${e.message}`));
-page.on('console', (m) => ['error', 'warning'].includes(m.type()) && faults.push(`${page.url()}: says ${m.text()}`));
+page.on(
+  'console',
+  (m) => ['error', 'warning'].includes(m.type()) && faults.push(`${page.url()}: says ${m.text()}`),
+);
 
 async function open(name, hash = '') {
   requests = [];
@@ -44,13 +59,17 @@ async function open(name, hash = '') {
   await page.goto(address(name) + hash);
   await page.waitForFunction(() => !document.documentElement.hasAttribute('style'));
 }
-const settled = () => page.waitForFunction(() => document.documentElement.dataset.live === 'ready', null, { timeout: 60000 });
+const settled = () =>
+  page.waitForFunction(() => document.documentElement.dataset.live === 'ready', null, { timeout: 60000 });
 async function write(name, text) {
   await page.evaluate(() => delete document.documentElement.dataset.live);
   await page.fill(`.parameters input[name="${name}"]`, text);
   await settled();
 }
-const programs = fs.readdirSync(site).filter((f) => /^[a-z]+-\d\d\.html$/.test(f)).map((f) => f.slice(0, -5));
+const programs = fs
+  .readdirSync(site)
+  .filter((f) => /^[a-z]+-\d\d\.html$/.test(f))
+  .map((f) => f.slice(0, -5));
 const parametersOf = (program) => JSON.parse(execFileSync(path.join(bin, program), ['--json'])).parameters;
 
 /** What of a page could change: numbers, formulae, tables, the terminal, drawings. */
@@ -59,10 +78,15 @@ const state = () =>
     const drawn = (svg) => svg.outerHTML.replace(/<(title|desc)[^]*?<\/\1>/g, '');
     const all = (selector, what) => [...document.querySelectorAll(selector)].map(what);
     return {
-      numbers: all('main data[data-name]', (e) => `${e.dataset.name}|${e.textContent}|${e.getAttribute('value')}`),
+      numbers: all(
+        'main data[data-name]',
+        (e) => `${e.dataset.name}|${e.textContent}|${e.getAttribute('value')}`,
+      ),
       formulae: all('main .katex', (e) => e.innerHTML),
       tables: all('main table[data-table] tbody', (e) => e.innerHTML),
-      terminal: all('main pre.told code', (e) => e.innerHTML.replace(/<span class="command">.*?<\/span>/, '')),
+      terminal: all('main pre.told code', (e) =>
+        e.innerHTML.replace(/<span class="command">.*?<\/span>/, ''),
+      ),
       figures: all('main figure[data-figure] > svg', drawn),
     };
   });
@@ -76,17 +100,30 @@ for (const program of programs.filter((_, i) => process.env.EVERY || i % 4 === 0
   await open(program);
   expect(!requests.some((r) => r.includes('/live/')), `${program}: loads something before it is touched`);
   const woven = await state();
-  const again = Number.isInteger(p.default) && p.kind === 'integer' ? `+${p.default}` : /[.e]/.test(String(p.default)) ? `+${p.default}` : `${p.default}.0`;
+  const again =
+    Number.isInteger(p.default) && p.kind === 'integer'
+      ? `+${p.default}`
+      : /[.e]/.test(String(p.default))
+        ? `+${p.default}`
+        : `${p.default}.0`;
   await write(p.name, again);
   const refusal = await page.textContent('#refusal');
   expect(!refusal, `${program}: ${p.name} = ${again} is refused: ${refusal}`);
   const told = await state();
   for (const what of Object.keys(woven))
-    woven[what].forEach((before, i) => expect(before === told[what][i], `${program}: of the ${what} the ${i + 1}st is not as woven: ${before.slice(0, 90)} … ${told[what][i]?.slice(0, 90)}`));
+    woven[what].forEach((before, i) =>
+      expect(
+        before === told[what][i],
+        `${program}: of the ${what} the ${i + 1}st is not as woven: ${before.slice(0, 90)} … ${told[what][i]?.slice(0, 90)}`,
+      ),
+    );
   await page.click('.live-bar button');
   await page.waitForFunction(() => document.querySelector('.live-bar').hidden);
   const backAgain = await state();
-  expect(JSON.stringify(backAgain) === JSON.stringify(woven), `${program}: the way back does not lead to the book's numbers`);
+  expect(
+    JSON.stringify(backAgain) === JSON.stringify(woven),
+    `${program}: the way back does not lead to the book's numbers`,
+  );
 }
 
 // --- Other settings: what the page says is what the program says.
@@ -101,28 +138,52 @@ for (const [program, given] of [
   const options = Object.entries(given).flatMap(([name, text]) => [`--${name}`, text]);
   const told = JSON.parse(execFileSync(path.join(bin, program), [...options, '--json']));
   const where = `${program} ${options.join(' ')}`;
-  const shown = await page.$$eval('main data[data-name]', (all) => all.map((e) => [e.dataset.name, e.dataset.format, e.textContent]));
+  const shown = await page.$$eval('main data[data-name]', (all) =>
+    all.map((e) => [e.dataset.name, e.dataset.format, e.textContent]),
+  );
   for (const [full, spec, text] of shown) {
     const [chapter, number, name] = full.split('.');
     if (`${chapter}-${number}` !== program) continue;
     const it = [...told.parameters, ...told.values].find((x) => x.name === name);
     const number_ = format(it, spec);
-    expect([asText(number_), asText({ ...number_, suffix: '' })].includes(text), `${where}: ${full} reads ${text}, not ${asText(number_)}`);
+    expect(
+      [asText(number_), asText({ ...number_, suffix: '' })].includes(text),
+      `${where}: ${full} reads ${text}, not ${asText(number_)}`,
+    );
   }
   for (const table of told.tables) {
-    const html = await page.$eval(`table[data-table="${table.name}"] tbody`, (e) => e.innerHTML).catch(() => null);
+    const html = await page
+      .$eval(`table[data-table="${table.name}"] tbody`, (e) => e.innerHTML)
+      .catch(() => null);
     if (html === null) continue;
-    const same = await page.evaluate(([a, b]) => {
-      const body = document.createElement('tbody');
-      body.innerHTML = b;
-      return body.textContent.replace(/\s+/g, ' ').trim() === Object.assign(document.createElement('tbody'), { innerHTML: a }).textContent.replace(/\s+/g, ' ').trim();
-    }, [html, rows(table).join('\n')]);
+    const same = await page.evaluate(
+      ([a, b]) => {
+        const body = document.createElement('tbody');
+        body.innerHTML = b;
+        return (
+          body.textContent.replace(/\s+/g, ' ').trim() ===
+          Object.assign(document.createElement('tbody'), { innerHTML: a })
+            .textContent.replace(/\s+/g, ' ')
+            .trim()
+        );
+      },
+      [html, rows(table).join('\n')],
+    );
     expect(same, `${where}: the table ${table.name} is not the program's`);
   }
   const text = await page.textContent('pre.told code');
   expect(text.includes(options.join(' ')), `${where}: the terminal does not show the command`);
-  expect((await page.textContent('.live-bar .with')).startsWith('with your '), `${where}: nothing says whose numbers these are`);
-  expect((await page.evaluate(() => location.hash)) === `#${Object.entries(given).map(([n, t]) => `${n}=${t}`).join('&')}`, `${where}: the address does not say so`);
+  expect(
+    (await page.textContent('.live-bar .with')).startsWith('with your '),
+    `${where}: nothing says whose numbers these are`,
+  );
+  expect(
+    (await page.evaluate(() => location.hash)) ===
+      `#${Object.entries(given)
+        .map(([n, t]) => `${n}=${t}`)
+        .join('&')}`,
+    `${where}: the address does not say so`,
+  );
 }
 
 // --- The figure follows, in named colours; by the slider and the keyboard, too.
@@ -131,7 +192,10 @@ const before = await state();
 await page.focus('input[data-slides="zeta"]');
 await page.keyboard.press('ArrowRight');
 await settled();
-await page.waitForFunction((was) => document.querySelector('main data[data-name="pendulum.05.phi"]')?.textContent !== was, before.numbers.find((n) => n.startsWith('pendulum.05.phi|')).split('|')[1]);
+await page.waitForFunction(
+  (was) => document.querySelector('main data[data-name="pendulum.05.phi"]')?.textContent !== was,
+  before.numbers.find((n) => n.startsWith('pendulum.05.phi|')).split('|')[1],
+);
 
 // --- Refused input: the program's own sentence, beside the field, and the page stays as it is.
 await open('pendulum-11');
@@ -142,10 +206,18 @@ for (const bad of ['181', 'abc', '1e999', '-1', '']) {
   try {
     execFileSync(path.join(bin, 'pendulum-11'), ['--zeta', bad], { stdio: 'pipe' });
   } catch (error) {
-    sentence = String(error.stderr).trim().replace(/^pendulum-11: /, '');
+    sentence = String(error.stderr)
+      .trim()
+      .replace(/^pendulum-11: /, '');
   }
-  expect((await page.textContent('#refusal')) === sentence, `zeta "${bad}": the page says ${await page.textContent('#refusal')}, the program ${sentence}`);
-  expect((await page.getAttribute('input[name=zeta]', 'aria-invalid')) === 'true', `zeta "${bad}": the field is not marked`);
+  expect(
+    (await page.textContent('#refusal')) === sentence,
+    `zeta "${bad}": the page says ${await page.textContent('#refusal')}, the program ${sentence}`,
+  );
+  expect(
+    (await page.getAttribute('input[name=zeta]', 'aria-invalid')) === 'true',
+    `zeta "${bad}": the field is not marked`,
+  );
 }
 expect(JSON.stringify(await state()) === JSON.stringify(woven), 'a refused number changes the page');
 await write('zeta', '90');
@@ -165,14 +237,20 @@ expect((await page.inputValue('input[name=zeta]')) === '150', 'a new address doe
 
 // --- Many changes: the last one counts; the memory stays.
 for (let i = 1; i <= 100; i += 1)
-  await page.evaluate((x) => {
-    const field = document.querySelector('input[name=zeta]');
-    field.value = x;
-    field.dispatchEvent(new Event('input'));
-  }, String(30 + i));
+  await page.evaluate(
+    (x) => {
+      const field = document.querySelector('input[name=zeta]');
+      field.value = x;
+      field.dispatchEvent(new Event('input'));
+    },
+    String(30 + i),
+  );
 await page.evaluate(() => delete document.documentElement.dataset.live);
 await write('zeta', '77.5');
-expect((await page.textContent('pre.told code')).includes('--zeta 77.5'), 'after many changes the last one is not what is shown');
+expect(
+  (await page.textContent('pre.told code')).includes('--zeta 77.5'),
+  'after many changes the last one is not what is shown',
+);
 for (let i = 0; i < 100; i += 1) await write('zeta', String(20 + i / 2));
 const pid = () =>
   fs
@@ -182,7 +260,9 @@ const pid = () =>
       try {
         const command = fs.readFileSync(`/proc/${p}/cmdline`, 'utf8');
         const [, parent] = /PPid:\s+(\d+)/.exec(fs.readFileSync(`/proc/${p}/status`, 'utf8'));
-        return command.includes('--type=renderer') && parent ? Number(/VmRSS:\s+(\d+)/.exec(fs.readFileSync(`/proc/${p}/status`, 'utf8'))?.[1] ?? 0) / 1024 : 0;
+        return command.includes('--type=renderer') && parent
+          ? Number(/VmRSS:\s+(\d+)/.exec(fs.readFileSync(`/proc/${p}/status`, 'utf8'))?.[1] ?? 0) / 1024
+          : 0;
       } catch {
         return 0;
       }
@@ -207,12 +287,25 @@ await page.waitForSelector('.live-bar button:last-child:not([hidden])', { timeou
 await open('pendulum-11');
 const claims = await page.$$eval('details.claims', (all) => all.map((e) => e.innerHTML));
 await page.click('.again button');
-await page.waitForFunction(() => /all hold|fail|:/.test(document.querySelector('.again [role=status]').textContent), null, { timeout: 60000 });
-expect(/all hold/.test(await page.textContent('.again [role=status]')), `the checks again: ${await page.textContent('.again [role=status]')}`);
-expect(JSON.stringify(await page.$$eval('details.claims', (all) => all.map((e) => e.innerHTML))) === JSON.stringify(claims), 'the claims, run again, are not as woven');
+await page.waitForFunction(
+  () => /all hold|fail|:/.test(document.querySelector('.again [role=status]').textContent),
+  null,
+  { timeout: 60000 },
+);
+expect(
+  /all hold/.test(await page.textContent('.again [role=status]')),
+  `the checks again: ${await page.textContent('.again [role=status]')}`,
+);
+expect(
+  JSON.stringify(await page.$$eval('details.claims', (all) => all.map((e) => e.innerHTML))) ===
+    JSON.stringify(claims),
+  'the claims, run again, are not as woven',
+);
 
 // --- Scenes: they start, move in true time, rest when not seen, and stop; the slider shows any time; less motion is heeded.
-const withScenes = programs.filter((p) => fs.readFileSync(path.join(site, `${p}.html`), 'utf8').includes('data-scene='));
+const withScenes = programs.filter((p) =>
+  fs.readFileSync(path.join(site, `${p}.html`), 'utf8').includes('data-scene='),
+);
 let slowest = 0; // seconds of script, style and layout a frame
 const cdp = await context.newCDPSession(page);
 await cdp.send('Performance.enable');
@@ -221,10 +314,16 @@ for (const program of withScenes) {
   await page.locator('figure[data-scene]').first().scrollIntoViewIfNeeded();
   const clock = async () => parseFloat(await page.textContent('figure[data-scene] .clock'));
   await page.click('figure[data-scene] .start');
-  await page.waitForFunction(() => parseFloat(document.querySelector('figure[data-scene] .clock').textContent) > 0, null, { timeout: 60000 });
+  await page.waitForFunction(
+    () => parseFloat(document.querySelector('figure[data-scene] .clock').textContent) > 0,
+    null,
+    { timeout: 60000 },
+  );
   const used = async () => {
     const { metrics } = await cdp.send('Performance.getMetrics');
-    return metrics.filter((m) => ['ScriptDuration', 'RecalcStyleDuration', 'LayoutDuration'].includes(m.name)).reduce((n, m) => n + m.value, 0);
+    return metrics
+      .filter((m) => ['ScriptDuration', 'RecalcStyleDuration', 'LayoutDuration'].includes(m.name))
+      .reduce((n, m) => n + m.value, 0);
   };
   const before_ = await used();
   const moves = await page.evaluate(
@@ -249,14 +348,21 @@ for (const program of withScenes) {
   expect(stopped === (await clock()), `${program}: the scene does not stop`);
   await page.focus('figure[data-scene] .time');
   await page.keyboard.press('End');
-  await page.waitForFunction((t) => parseFloat(document.querySelector('figure[data-scene] .clock').textContent) !== t, stopped);
+  await page.waitForFunction(
+    (t) => parseFloat(document.querySelector('figure[data-scene] .clock').textContent) !== t,
+    stopped,
+  );
 }
 
 // --- For everyone: fields, buttons and marks.
 await open('pendulum-11');
 await write('zeta', '60');
 await page.evaluate(axe);
-const violations = await page.evaluate(async () => (await window.axe.run({ exclude: ['.katex'] }, { resultTypes: ['violations'], preload: false })).violations);
+const violations = await page.evaluate(
+  async () =>
+    (await window.axe.run({ exclude: ['.katex'] }, { resultTypes: ['violations'], preload: false }))
+      .violations,
+);
 for (const v of violations.filter((x) => ['serious', 'critical'].includes(x.impact)))
   faults.push(`${v.id}: ${v.help}, as at ${v.nodes[0].html.slice(0, 140)}`);
 
@@ -266,7 +372,9 @@ const first = await page.evaluate(
   () =>
     new Promise((done) => {
       const start = performance.now();
-      new MutationObserver(() => document.documentElement.dataset.live === 'ready' && done(performance.now() - start)).observe(document.documentElement, { attributes: true });
+      new MutationObserver(
+        () => document.documentElement.dataset.live === 'ready' && done(performance.now() - start),
+      ).observe(document.documentElement, { attributes: true });
       document.querySelector('.parameters input').focus();
     }),
 );

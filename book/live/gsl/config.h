@@ -1,4 +1,5 @@
-// What GSL's configure would have found out about WebAssembly under emscripten, as far as the sources compiled here ask.
+// What GSL's configure would have found out about WebAssembly under emscripten, as far as the sources
+// compiled here ask.
 #pragma once
 #define HAVE_C99_INLINE 1
 #define HAVE_DECL_ISNAN 1

@@ -1,5 +1,5 @@
-// What the peers are set beside: the edition's K and the pendulum's motion, one number at a time and in arrays, and the judge of
-// fifty digits.
+// What the peers are set beside: the edition's K and the pendulum's motion, one number at a time and in
+// arrays, and the judge of fifty digits.
 
 #include <cstddef>
 
@@ -53,7 +53,8 @@ extern "C"
   {
     return exact::ulps(x, swing::oracle::K(sqrt(Fifty(m))));
   }
-  /// The error of `x` as the angle at the time `t` of a swing of the amplitude `zeta`, in parts of the amplitude.
+  /// The error of `x` as the angle at the time `t` of a swing of the amplitude `zeta`, in parts of the
+  /// amplitude.
   double peers_error_angle(double zeta, double t, double x)
   {
     const Fifty exact = swing::oracle::Motion::from_zeta(Fifty(zeta)).angle(Fifty(t));

@@ -6,7 +6,8 @@ import path from 'node:path';
 
 const [glue, wasm, folder, out] = process.argv.slice(2);
 const packages = createRequire(path.join(path.resolve(folder), 'package.json'));
-const version = (name) => JSON.parse(fs.readFileSync(path.join(folder, 'node_modules', name, 'package.json'), 'utf8')).version;
+const version = (name) =>
+  JSON.parse(fs.readFileSync(path.join(folder, 'node_modules', name, 'package.json'), 'utf8')).version;
 globalThis.self = { location: { href: 'blob:' } };
 globalThis.importScripts = () => {};
 const make = new Function(`${fs.readFileSync(glue, 'utf8')}; return Peers;`)();
@@ -62,7 +63,10 @@ const races = [
       'this edition': each(ours._peers_angle, times),
       'this edition, an array': array(ours._peers_angle_array, times),
       [stdlib('math-base-special-ellipj')]: each((t) => 2 * Math.asin(k * ellipj(t, k * k)[0]), times),
-      [`cephes ${version('cephes')}, ellpj`]: each((t) => 2 * Math.asin(k * cephes.ellpj(t, k * k)[1].sn), times),
+      [`cephes ${version('cephes')}, ellpj`]: each(
+        (t) => 2 * Math.asin(k * cephes.ellpj(t, k * k)[1].sn),
+        times,
+      ),
     },
   },
 ];
@@ -100,8 +104,14 @@ const record = races.map(({ name, quantity, unit, error, own, ways }) => {
     }),
   };
 });
-fs.writeFileSync(out, `${JSON.stringify({ engine: `node ${process.versions.node}, V8 ${process.versions.v8}`, races: record }, null, 2)}\n`);
+fs.writeFileSync(
+  out,
+  `${JSON.stringify({ engine: `node ${process.versions.node}, V8 ${process.versions.v8}`, races: record }, null, 2)}\n`,
+);
 for (const { quantity, unit, ways } of record) {
   console.log(quantity);
-  for (const w of ways) console.log(`  ${w.name.padEnd(48)} ${(w.seconds * 1e9).toFixed(1).padStart(8)} ns  × ${w.ratio}  ${w.error} ${unit}`);
+  for (const w of ways)
+    console.log(
+      `  ${w.name.padEnd(48)} ${(w.seconds * 1e9).toFixed(1).padStart(8)} ns  × ${w.ratio}  ${w.error} ${unit}`,
+    );
 }
