@@ -3,7 +3,7 @@
 ///
 /// They are made of + − × ÷ and √ alone, without contraction and without the C library, whose sines differ
 /// from machine to machine. All are odd or even to the last bit, as the true functions are. A NaN gives a
-/// NaN. Errors were measured against fifty digits over some hundred thousand arguments of every magnitude,
+/// NaN. Errors were measured against fifty digits over some twenty thousand arguments of every magnitude,
 /// the worst of all doubles for the reduction (6381956970095103·2⁷⁹⁷) among them (tests/elementary.cpp); ulps
 /// are units in the last place of the true value.
 #pragma once
