@@ -5,6 +5,7 @@ import path from 'node:path';
 import { reading, sigla } from './cards.mjs';
 import { table, tableEnd, verdict } from './claims.mjs';
 import { escape, heading, slug } from './prose.mjs';
+import { asTime } from './numbers.mjs';
 import * as speed from './speed.mjs';
 
 const twoDigits = (n) => String(n).padStart(2, '0');
@@ -184,6 +185,21 @@ function citation(book) {
   );
 }
 
+/** `{{collected peers}}`: K and Φ(t) beside JavaScript's packages, as book/live/peers recorded them. */
+function peers(book) {
+  const { engine, races } = JSON.parse(book.read('book/live/peers.json'));
+  const row = (unit) => (w) =>
+    `<tr><th scope="row">${escape(w.name)}</th><td>${asTime(w.seconds)}</td><td>${w.ratio}</td>` +
+    `<td>${w.error} ${unit}${w.of_k2 ? ` (${w.of_k2} of the rounded kk)` : ''}</td></tr>`;
+  return races
+    .map(
+      ({ quantity, unit, ways }) =>
+        `<p>${escape(quantity)}; ${escape(engine)}</p>\n` +
+        `${table(quantity, ['way', 'time a number', 'ratio', 'worst error'])}${ways.map(row(unit)).join('\n')}${tableEnd}`,
+    )
+    .join('');
+}
+
 /** `{{collected live}}`: how the pages run themselves, where they do. */
 function live(book) {
   const file = 'book/live/running.md';
@@ -214,6 +230,7 @@ export const lists = {
   provenance: speed.provenance,
   colophon,
   live,
+  peers,
   terms,
   glossary,
   notation,
