@@ -1,6 +1,6 @@
 load "figures/style.gp"
 set xrange [0:0.75]
-set yrange [0.99:1.1]
+set yrange [0.99:1.07]
 set xlabel "√({/:Italic x} / {/:Italic a})"
 set ylabel "σ / √(2{/:Italic fx})"
 set label "circle" at 0.5, 1.03 right textcolor linetype 6

@@ -10,24 +10,24 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-The theory is right, and yet the clocks that were made after it do not go evenly. Huygens was the first to set
-out how pendulums move, and mechanics owes to it some of its largest and most useful inventions. But his
-way to make the motion of a clock uniform, by cycloids, has by now been found not quite to serve its purpose
-in practice.
+The theory is right, and yet the clocks that were made after it do not go evenly. Huygens was the first to
+set out how pendulums move, and mechanics owes to it some of its largest and most useful inventions. But
+his way to make the motion of a clock uniform, by cycloids, has by now been found not quite to serve its
+purpose in practice.
 
-Euler looks for the cause. It is no fault of the theory, which rests on the firmest foundations; geometry, from
-which it comes, is as certain as ever. It lies in this: the pendulums that regulate clocks differ much from
-those of the theorem. No wonder, then, that practice does not answer to theory, and that some inequality is
-left in the clocks, although in the theory the swings take perfectly equal times.
+Euler looks for the cause. It is no fault of the theory, which rests on the firmest foundations; geometry,
+from which it comes, is as certain as ever. It lies in this: the pendulums that regulate clocks differ
+much from those of the theorem. No wonder, then, that practice does not answer to theory, and that some
+inequality is left in the clocks, although in the theory the swings take perfectly equal times.
 
-He gives no numbers. How large is the inequality that the cycloid was to take away? A pendulum on a fixed axis
-swings in a circle, and $T$, the time of a swing out to the angle $\varphi_0$ on either side, is longer than
-$T_0$, that of an infinitely small one, by
+He gives no numbers. How large is the inequality that the cycloid was to take away? A pendulum on a fixed
+axis swings in a circle, and $T$, the time of a swing out to the angle $\varphi_0$ on either side, is
+longer than $T_0$, that of an infinitely small one, by
 
 $$ \frac{T}{T_0} - 1 = \frac{\varphi_0^2}{16} + \frac{11\,\varphi_0^4}{3072} + \dots, \tag{A} $$
 
-as follows from {{eq pendulum.11 1}}. A clock that is set by small swings and makes wide ones loses this part
-of a day.
+as follows from {{eq pendulum.11 1}}. A clock that is set by small swings and makes wide ones loses this
+part of a day.
 
 ::: margin
 $T/T_0 = \frac2\pi K(\sin\tfrac12\varphi_0)$. A *swing* is half the modern period.
@@ -35,9 +35,9 @@ $T/T_0 = \frac2\pi K(\sin\tfrac12\varphi_0)$. A *swing* is half the modern perio
 
 ## The program
 
-To subtract 1 from the ratio of the times loses as many digits as the excess has zeros. The program never forms
-the ratio: {{api tautochrone::excess}} averages what each place of the swing contributes, and all that it
-averages is positive.
+To subtract 1 from the ratio of the times loses as many digits as the excess has zeros. The program never
+forms the ratio: {{api tautochrone::excess}} averages what each place of the swing contributes, and all
+that it averages is positive.
 */
 
 const auto phi0 = angle("phi0", 5_deg, open(0_deg, 180_deg), "how far the pendulum swings to either side");
@@ -74,15 +74,15 @@ TELL
 }
 
 /*!
-With swings of 5° such a clock is late by {{late|4}} s a day, with swings of 30° by {{wide|4}} s. A clock might be set by the
-swings that it makes; but where these do not stay the same, a single degree, 5½° instead of 4½°, is worth
-{{spread|3}} s a day. A circle is tolerable only where the swings are narrow; that is what the cheeks were
-to make needless.
+With swings of 5° such a clock is late by {{late|4}} s a day, with swings of 30° by {{wide|4}} s. A clock
+might be set by the swings that it makes; but where these do not stay the same, a single degree, 5½°
+instead of 4½°, is worth {{spread|3}} s a day. A circle is tolerable only where the swings are narrow;
+that is what the cheeks were to make needless.
 
 ::: figure tautochrone-01
-alt: Seconds a day lost on a circle against the amplitude, both logarithmic: a straight line with the slope
-two from 0.02 seconds at a tenth of a degree through 41 seconds at 5 degrees, a little above the line of the law at
-the right end.
+alt: Seconds a day lost on a circle against the amplitude, both logarithmic: a straight line with the
+slope two from 0.02 seconds at a tenth of a degree through 41 seconds at 5 degrees, a little above the
+line of the law at the right end.
 
 What a pendulum that swings in a circle loses in a day against its own smallest swings. The thin line is the
 first term of {{eq A}}.
@@ -90,8 +90,8 @@ first term of {{eq A}}.
 
 ## Speed against error
 
-The same number by the ratio of the times, from which 1 is taken, and by two terms of {{eq A}}. Try `--phi0 0.001
---bench`.
+The same number by the ratio of the times, from which 1 is taken, and by two terms of {{eq A}}. Try
+`--phi0 0.001 --bench`.
 */
 
 Fifty exactly(const Fifty& phi)  // the three first terms where a difference has no digits left
@@ -188,7 +188,8 @@ CHECK_THAT("what is told of other swings is theirs, and does not depend on this 
 ::: exercise
 A clock is to be late by no more than a second a day on its circle. How wide may it swing?
 
-answer: By {{eq A}} to $\varphi_0 = 4/\sqrt{86400}$ of a radian, nearly 0,78°: `--phi0 0.779` tells a little less than one second.
+answer: By {{eq A}} to $\varphi_0 = 4/\sqrt{86400}$ of a radian, nearly 0,78°: `--phi0 0.779` tells a
+little less than one second.
 :::
 */
 

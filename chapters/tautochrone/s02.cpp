@@ -11,15 +11,15 @@ using namespace tautochrone;
 ## What Euler does
 
 Huygens proved that all swings in a cycloid take the same time, but of a pendulum that no clock has. If a
-pendulum is so hung that it moves in a common cycloid with a horizontal base, its swings are completed in equal times,
-whether they are wide or narrow. The theorem is quite true; but one has to mark well under what conditions, lest
-more be credited to it than its proof can bear. There are two.
+pendulum is so hung that it moves in a common cycloid with a horizontal base, its swings are completed in
+equal times, whether they are wide or narrow. The theorem is quite true; but one has to mark well under
+what conditions, lest more be credited to it than its proof can bear. There are two.
 
 First, the motion must go on in a medium that does not resist: in a space empty of all matter.
 
-Secondly, the pendulum must be simple. All its mass has to be collected as it were in a single point. That is
-achieved accurately enough when a very small and very heavy ball hangs from a thread so thin and so light that
-its weight vanishes against the weight of the ball.
+Secondly, the pendulum must be simple. All its mass has to be collected as it were in a single point. That
+is achieved accurately enough when a very small and very heavy ball hangs from a thread so thin and so
+light that its weight vanishes against the weight of the ball.
 
 He writes no formula here. In the letters that he will use from {{sec tautochrone.12}} on, with $a$ for the
 length of the thread, the bob at the angle $\varphi$ with the vertical is led along a curve whose radius of
@@ -41,9 +41,9 @@ Today $\pi\sqrt{a/g}$, the $g$ of today being twice Euler's.
 
 ## The program
 
-The program does not use {{eq B}}. It sums the time along the curve, as {{sec tautochrone.19}} will teach, by
-{{api tautochrone::Path}}: for a bob without extension every element of the arc is divided by the square root
-of the height fallen.
+The program does not use {{eq B}}. It sums the time along the curve, as {{sec tautochrone.19}} will teach,
+by {{api tautochrone::Path}}: for a bob without extension every element of the arc is divided by the
+square root of the height fallen.
 */
 
 const auto a = real("a", 0.994, metres, scale, "length of the thread, down to the bob");
@@ -99,11 +99,12 @@ All swings of the table take {{T|12}} s, narrow and wide alike; in a circle they
 {{table swings}}
 
 ::: figure tautochrone-02
-alt: Two half cycloids hang from a common cusp at the top, like an open pair of curtains. Between them a thread in five positions,
-lying on the cheek above and straight below; the five bobs lie on a larger cycloid, open upwards.
+alt: Two half cycloids hang from a common cusp at the top, like an open pair of curtains. Between them a
+thread in five positions, lying on the cheek above and straight below; the five bobs lie on a larger
+cycloid, open upwards.
 
-The cheeks, the thread in five positions, and the cycloid of the bob. Where the thread leaves the cheek it touches
-it; there is the centre about which the bob turns.
+The cheeks, the thread in five positions, and the cycloid of the bob. Where the thread leaves the cheek it
+touches it; there is the centre about which the bob turns.
 :::
 
 ## Checks
@@ -122,8 +123,8 @@ CHECK_THAT("all swings take the time π√(2a)/√(4g), from the narrowest to ne
 }
 
 /*!
-That is the theorem; the next checks do not presuppose it. The bob's equation of motion is followed, from rest, for
-half the time told: it must be in the lowest place then.
+That is the theorem; the next checks do not presuppose it. The bob's equation of motion is followed, from
+rest, for half the time told: it must be in the lowest place then.
 */
 
 Fifty arc_after_half(const Fifty& T, const Fifty& z0)  // z" = −½ dx/dz = −z/2, by its power series, a = 1

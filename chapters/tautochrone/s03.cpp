@@ -10,20 +10,20 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-Where either of the two conditions fails, swings in a cycloid do not take equal times, and in a clock both fail. Unless
-the resistance of the medium is nothing, and unless the mass of the pendulum itself is as it were infinitely
-small in extent, as the theory assumes, the swings will not be isochronous even though they are performed in a cycloid.
-Now in a clock one can neither take away the resistance of the air nor use pendulums that might pass for simple
-ones. So for a double cause it is plain enough that this property of the cycloid, proved only for simple
-pendulums in empty space, has no longer a place there.
+Where either of the two conditions fails, swings in a cycloid do not take equal times, and in a clock both
+fail. Unless the resistance of the medium is nothing, and unless the mass of the pendulum itself is as it
+were infinitely small in extent, as the theory assumes, the swings will not be isochronous even though
+they are performed in a cycloid. Now in a clock one can neither take away the resistance of the air nor
+use pendulums that might pass for simple ones. So for a double cause it is plain enough that this property
+of the cycloid, proved only for simple pendulums in empty space, has no longer a place there.
 
-Experience too seems to have shown the defect clearly enough: the makers of clocks have by now almost entirely
-given up the cycloid.
+Experience too seems to have shown the defect clearly enough: the makers of clocks have by now almost
+entirely given up the cycloid.
 
-Of the two causes Euler will take up the second. Its size, which he does not give, follows from what he finds later. Let $k$ be
-the radius of gyration of the body about its centre of gravity, and $a$ the distance of that centre from the
-suspension. Between cycloidal cheeks a narrow swing out to the angle $\varphi_0$ lasts longer than an infinitely small
-one by
+Of the two causes Euler will take up the second. Its size, which he does not give, follows from what he
+finds later. Let $k$ be the radius of gyration of the body about its centre of gravity, and $a$ the
+distance of that centre from the suspension. Between cycloidal cheeks a narrow swing out to the angle
+$\varphi_0$ lasts longer than an infinitely small one by
 
 $$ \frac{T}{T_0} - 1 = \frac{kk}{aa+kk}\cdot\frac{\varphi_0^2}{4} \text{ nearly}, \tag{A} $$
 
@@ -32,14 +32,14 @@ while on a fixed axis it is $\frac1{16}\varphi_0^2$. The cheeks leave of the cir
 $$ \frac{4kk}{aa+kk}. \tag{B} $$
 
 ::: margin
-$Mkk$ is the moment of inertia about the centre of gravity, $M$ the mass. For a ball of the radius $R$, $kk =
-\frac25RR$.
+$Mkk$ is the moment of inertia about the centre of gravity, $M$ the mass. For a ball of the radius $R$,
+$kk = \frac25RR$.
 :::
 
 ## The program
 
-The exact excess is an integral over the swing, whose integrand vanishes with $k$; nothing is subtracted from
-anything ({{api tautochrone::excess}}).
+The exact excess is an integral over the swing, whose integrand vanishes with $k$; nothing is subtracted
+from anything ({{api tautochrone::excess}}).
 */
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
@@ -98,23 +98,26 @@ TELL
 }
 
 /*!
-A body with $k = \tfrac1{10}a$ that swings 5° loses {{late_circle|4}} s in a day on a fixed axis, and {{late|3}} s between Huygens's
-cheeks: {{left|2}} of the fault stay. So the extension of the body is a cause, and one that can be
-calculated; but the cheeks are still much better than none. Whether it was this that made the makers give them up,
-the numbers do not say.
+A body with $k = \tfrac1{10}a$ that swings 5° loses {{late_circle|4}} s in a day on a fixed axis, and
+{{late|3}} s between Huygens's cheeks: {{left|2}} of the fault stay. So the extension of the body is a
+cause, and one that can be calculated; but the cheeks are still much better than none. Whether it was this
+that made the makers give them up, the numbers do not say.
 
 {{table bodies}}
 
 ::: figure tautochrone-03
-alt: Seconds a day lost against the amplitude, both logarithmic, four nearly parallel lines: the circle, then between
-cycloidal cheeks bodies with k three tenths, a tenth and a fiftieth of a, each a decade or more below the one before.
+alt: Seconds a day lost against the amplitude, both logarithmic, four nearly parallel lines: the circle,
+then between cycloidal cheeks bodies with k three tenths, a tenth and a fiftieth of a, each a decade or
+more below the one before.
 
-What the clock loses on a fixed axis, and between Huygens's cheeks with bodies of three sizes. A heavy point would lose nothing.
+What the clock loses on a fixed axis, and between Huygens's cheeks with bodies of three sizes. A heavy
+point would lose nothing.
 :::
 
 ## Checks
 
-Fifty digits come by another way: there the integral of {{sec tautochrone.19}} itself is taken by quadrature, and $T_0$ subtracted.
+Fifty digits come by another way: there the integral of {{sec tautochrone.19}} itself is taken by
+quadrature, and $T_0$ subtracted.
 */
 
 Fifty by_quadrature(const Fifty& ratio, const Fifty& phi)

@@ -12,14 +12,17 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-The swings are isochronous if the height $c$, to which the pendulum rises, drops out of the expression for the time. If $c$ remains when in
+The swings are isochronous if the height $c$, to which the pendulum rises, drops out of the expression for
+the time. If $c$ remains when in
 
 $$ 2\int\frac{dz\sqrt{kk+rr}}{r\sqrt{c-x}} \tag{1} $$
 
-$x = c$ has been put after the integration, the duration of a swing depends on the width of the arc that is described, and so not all swings, be they greater or less, are done in equal times.
-For all to be isochronous, {{eq 1}} must be such that after $x = c$ the quantity $c$ goes out of it altogether, and that its value remains the same, whatever size is given to
-the letter $c$. By this condition a fitting relation between $z$ and $x$ is to be determined, and it will make known the nature of the curve $CG$ in which the pendulum does
-all its swings in equal times.
+$x = c$ has been put after the integration, the duration of a swing depends on the width of the arc that
+is described, and so not all swings, be they greater or less, are done in equal times. For all to be
+isochronous, {{eq 1}} must be such that after $x = c$ the quantity $c$ goes out of it altogether, and that
+its value remains the same, whatever size is given to the letter $c$. By this condition a fitting relation
+between $z$ and $x$ is to be determined, and it will make known the nature of the curve $CG$ in which the
+pendulum does all its swings in equal times.
 
 ::: margin
 Today: $dT/dc = 0$ for every $c$. It is a condition on a function, $r$ of $\varphi$.
@@ -27,7 +30,8 @@ Today: $dT/dc = 0$ for every $c$. It is a condition on a function, $r$ of $\varp
 
 ## The program
 
-The time {{eq 1}} and its excess, for the cheeks that the paper knows. They are numbered: 0 for a fixed axis, 1 for Huygens's cycloids, 2 for Euler's cheeks with one correction and 3 for those with both.
+The time {{eq 1}} and its excess, for the cheeks that the paper knows. They are numbered: 0 for a fixed
+axis, 1 for Huygens's cycloids, 2 for Euler's cheeks with one correction and 3 for those with both.
 */
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
@@ -71,12 +75,15 @@ TELL
 }
 
 /*!
-Between cycloids, with $k = \tfrac1{10}a$, the time of swings of 20° exceeds that of small ones by {{excess|e3}}: $c$ does not drop out.
+Between cycloids, with $k = \tfrac1{10}a$, the time of swings of 20° exceeds that of small ones by
+{{excess|e3}}: $c$ does not drop out.
 
 ::: figure tautochrone-20
-alt: The excess of the time against the height of the rise, both logarithmic, four lines rising with the slope one: the circle highest, then the cycloid, then Euler's curves, each a decade or more lower.
+alt: The excess of the time against the height of the rise, both logarithmic, four lines rising with the
+slope one: the circle highest, then the cycloid, then Euler's curves, each a decade or more lower.
 
-The part by which a swing that rises to $c$ is too slow, $k = \tfrac1{10}a$. On a tautochrone it is zero, and cannot be drawn here.
+The part by which a swing that rises to $c$ is too slow, $k = \tfrac1{10}a$. On a tautochrone it is zero,
+and cannot be drawn here.
 :::
 
 ## Speed against error
@@ -180,5 +187,6 @@ CHECK_THAT(
 /*!
 ## Notes
 
-Our copy once has *e* for the letter *c* of this section; that is a slip of reading without a number, and the sentence itself corrects it.
+Our copy once has *e* for the letter *c* of this section; that is a slip of reading without a number, and
+the sentence itself corrects it.
 */

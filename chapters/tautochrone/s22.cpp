@@ -17,30 +17,40 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-The formula that was found for any compound pendulum is fitted to equal times when it takes the form that it has for the simple one. Necessarily
+The formula that was found for any compound pendulum is fitted to equal times when it takes the form that
+it has for the simple one. Necessarily
 
-$$ 2\int\frac{dz\sqrt{kk+rr}}{r\sqrt{c-x}} \quad\text{must become}\quad 2\int\frac{dx\sqrt{\frac12f}}{\sqrt{(c-x)x}}; \tag{1} $$
+$$ 2\int\frac{dz\sqrt{kk+rr}}{r\sqrt{c-x}} \quad\text{must become}\quad
+  2\int\frac{dx\sqrt{\frac12f}}{\sqrt{(c-x)x}}; \tag{1} $$
 
-for then, when $x = c$ is put after the integration, the letter $c$ goes out of the reckoning, and each swing takes as long as the smallest swings of a simple pendulum whose length is $f$. When the two are
+for then, when $x = c$ is put after the integration, the letter $c$ goes out of the reckoning, and each
+swing takes as long as the smallest swings of a simple pendulum whose length is $f$. When the two are
 compared, there arises
 
-$$ \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}} \quad\text{or}\quad \sqrt{2fx}{{entry lost_root}} = \int\frac{dz\sqrt{kk+rr}}r. \tag{2} $$
+$$ \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}} \quad\text{or}\quad
+  \sqrt{2fx}{{entry lost_root}} = \int\frac{dz\sqrt{kk+rr}}r. \tag{2} $$
 
-This equation expresses the nature of the tautochrone $CG$ for any compound pendulum. That it departs not a little from the cycloid is clear enough of itself.
+This equation expresses the nature of the tautochrone $CG$ for any compound pendulum. That it departs not
+a little from the cycloid is clear enough of itself.
 
 ::: margin
-Today: $\sigma^2 = 2fx$ with $d\sigma^2 = dz^2 + kk\,d\varphi^2$. A bead on a curve of the arc σ and the same heights has the same times: that curve must be a cycloid.
+Today: $\sigma^2 = 2fx$ with $d\sigma^2 = dz^2 + kk\,d\varphi^2$. A bead on a curve of the arc σ and the
+same heights has the same times: that curve must be a cycloid.
 :::
 
-That {{eq 2}} suffices is shown by {{eq 1}}; that it is necessary Euler says, and does not prove. Abel's theorem does, which recovers $\sigma$ from the times $T(c)$ of all swings up to the height $x$:
+That {{eq 2}} suffices is shown by {{eq 1}}; that it is necessary Euler says, and does not prove. Abel's
+theorem does, which recovers $\sigma$ from the times $T(c)$ of all swings up to the height $x$:
 
 $$ \sigma(x) = \frac1{2\pi}\int_0^x \frac{T(c)\,dc}{\sqrt{x-c}}. \tag{A} $$
 
-If $T$ is the same for all of them, $2\pi\sqrt{f/2}$, then $\sigma = \sqrt{2fx}$ and nothing else. It is here supposed that both sides are equal, as Euler's cheeks are: from the times nothing but the sum of the two sides can be known.
+If $T$ is the same for all of them, $2\pi\sqrt{f/2}$, then $\sigma = \sqrt{2fx}$ and nothing else. It is
+here supposed that both sides are equal, as Euler's cheeks are: from the times nothing but the sum of the
+two sides can be known.
 
 ## The program
 
-The integral in {{eq 2}}, which is called σ here. On the exact curve it is $\sin\varphi\cdot fr:\sqrt{kk+rr}$; on Huygens's cheeks an elliptic integral.
+The integral in {{eq 2}}, which is called σ here. On the exact curve it is
+$\sin\varphi\cdot fr:\sqrt{kk+rr}$; on Huygens's cheeks an elliptic integral.
 */
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
@@ -105,12 +115,16 @@ TELL
 }
 
 /*!
-On the tautochrone σ and $\sqrt{2fx}$ are both {{sigma|10}} m. On Huygens's cheeks they are {{sigma_cycloid|8}} and {{root_cycloid|8}} m.
+On the tautochrone σ and $\sqrt{2fx}$ are both {{sigma|10}} m. On Huygens's cheeks they are
+{{sigma_cycloid|8}} and {{root_cycloid|8}} m.
 
 ::: figure tautochrone-22
-alt: The quotient of sigma by the square root of 2fx against the square root of the height. The tautochrone is a level line at one. The cycloid's curve rises from one to 1.03, the circle's higher.
+alt: The quotient of sigma by the square root of 2fx against the square root of the height. The
+tautochrone is a level line at one. The circle's curve rises steadily; the cycloid's stays below it, and
+near its end climbs steeply past it.
 
-The quotient of the two sides of {{eq 2}}, $k = \tfrac3{10}a$, against $\sqrt{x/a}$. It must be 1 everywhere: where it grows, wider swings are slower.
+The quotient of the two sides of {{eq 2}}, $k = \tfrac3{10}a$, against $\sqrt{x/a}$. It must be 1
+everywhere: where it grows, wider swings are slower.
 :::
 
 ## Checks
@@ -183,7 +197,8 @@ CHECK_THAT("in the figure both quotients begin with one and grow, the circle's a
 }
 
 /*!
-In {{eq 2}} our copy has read the root sign as that of an integral: $\int 2fx$. It is tried on the exact curve at 40°, with $a = 1$, $k = \tfrac3{10}$.
+In {{eq 2}} our copy has read the root sign as that of an integral: $\int 2fx$. It is tried on the exact
+curve at 40°, with $a = 1$, $k = \tfrac3{10}$.
 */
 
 double height_40()

@@ -10,9 +10,11 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-The length $f$ is found from the radius of curvature in the lowest place $C$, which must be $AC = a$. There $r = a$, and the equation of {{sec tautochrone.22}} becomes
+The length $f$ is found from the radius of curvature in the lowest place $C$, which must be $AC = a$.
+There $r = a$, and the equation of {{sec tautochrone.22}} becomes
 
-$$ \sqrt{2fx} = \frac{z{{entry lost_z}}\sqrt{aa+kk}}a, \qquad zz{{entry lost_square}} = \frac{2aafx}{aa+kk}. \tag{1} $$
+$$ \sqrt{2fx} = \frac{z{{entry lost_z}}\sqrt{aa+kk}}a, \qquad zz{{entry lost_square}} =
+  \frac{2aafx}{aa+kk}. \tag{1} $$
 
 Since in $C$ the radius of curvature is equal to the subnormal
 
@@ -22,17 +24,21 @@ it is necessary that $\frac{aaf}{aa+kk} = a$, and therefore
 
 $$ f = a + \frac{kk}a = AD. \tag{3} $$
 
-The length of the isochronous simple pendulum will thus be equal to $AD$. That is clear of itself: the smallest swings of this compound pendulum, with which all of the
-wider ones are isochronous, are made in arcs of circles described with the radius $AC$, and go on no otherwise than if all mass of the body were
-collected in its centre of oscillation $D$; so that $AD$ shows the length of the isochronous simple pendulum.
+The length of the isochronous simple pendulum will thus be equal to $AD$. That is clear of itself: the
+smallest swings of this compound pendulum, with which all of the wider ones are isochronous, are made in
+arcs of circles described with the radius $AC$, and go on no otherwise than if all mass of the body were
+collected in its centre of oscillation $D$; so that $AD$ shows the length of the isochronous simple
+pendulum.
 
 ::: margin
-The radius $kk/a$ in the lowest place has the same $f$. It is that of the pendulum turned over: $a$ and $kk/a$ change places.
+The radius $kk/a$ in the lowest place has the same $f$. It is that of the pendulum turned over: $a$ and
+$kk/a$ change places.
 :::
 
 ## The program
 
-$f$, and the times of swings between the cheeks that the paper knows: whatever they are, the time of a swing that gets smaller and smaller comes to that of {{eq 3}}.
+$f$, and the times of swings between the cheeks that the paper knows: whatever they are, the time of a
+swing that gets smaller and smaller comes to that of {{eq 3}}.
 */
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
@@ -79,9 +85,12 @@ TELL
 With $k = \tfrac1{10}a$, $f$ is {{f|6}} m, and the smallest swing takes {{T_0|8}} s.
 
 ::: figure tautochrone-23
-alt: The time of a swing over that of the smallest, against the amplitude up to 30 degrees. Four lines start together from one, level: the circle rises fastest, the cycloid a third as much, Euler's curves hardly.
+alt: The time of a swing over that of the smallest, against the amplitude up to 30 degrees. Four lines
+start together from one, level: the circle rises fastest, the cycloid a third as much, Euler's curves
+hardly.
 
-The time of a swing, over that of the smallest, $k = \tfrac3{10}a$. Whatever the cheeks, all begin with the time of a simple pendulum of the length $AD$.
+The time of a swing, over that of the smallest, $k = \tfrac3{10}a$. Whatever the cheeks, all begin with
+the time of a simple pendulum of the length $AD$.
 :::
 
 ## Checks
@@ -131,7 +140,8 @@ CHECK_THAT("the figure's curves are the quadrature's")
 }
 
 /*!
-The scan has read three letters $z$ of {{eq 1}} and {{eq 2}} as the figure 2. They are tried at $a = 2$, $k = \tfrac35$ and a very small height $x$; near $C$ the curve is a circle of the radius $a$.
+The scan has read three letters $z$ of {{eq 1}} and {{eq 2}} as the figure 2. They are tried at $a = 2$,
+$k = \tfrac35$ and a very small height $x$; near $C$ the curve is a circle of the radius $a$.
 */
 
 const double x = 1e-10, f_ = 2 + 0.36 / 2, arc = 2 * std::sqrt(x);  // zz = 2ax nearly

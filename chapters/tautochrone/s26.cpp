@@ -12,11 +12,13 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-Although the equation cannot be constructed, its finite form has a remarkable meaning by which the tautochrone is determined. Let the radii of curvature $CA$ and
-$GM$ be drawn, the one in the lowest place $C$, the other in any place $G$, and for the points of suspension $A$ and $M$ let $D$ and $H$ be the centres of oscillation. Let
-further the horizontal $GQ$ and the vertical $MS$ be drawn. Because
+Although the equation cannot be constructed, its finite form has a remarkable meaning by which the
+tautochrone is determined. Let the radii of curvature $CA$ and $GM$ be drawn, the one in the lowest place
+$C$, the other in any place $G$, and for the points of suspension $A$ and $M$ let $D$ and $H$ be the
+centres of oscillation. Let further the horizontal $GQ$ and the vertical $MS$ be drawn. Because
 
-$$ \begin{gathered} AC = a, \quad AD = a + \frac{kk}a{{entry of_AD}}, \quad CQ = x, \\ MG = r, \quad MH = r + \frac{kk}r, \quad GS = r\sin\varphi, \end{gathered} \tag{1} $$
+$$ \begin{gathered} AC = a, \quad AD = a + \frac{kk}a{{entry of_AD}}, \quad CQ = x, \\ MG = r, \quad MH
+  = r + \frac{kk}r, \quad GS = r\sin\varphi, \end{gathered} \tag{1} $$
 
 the equation $2ax = (aa+kk)\,rr\sin^2\varphi : (kk+rr)$ of {{sec tautochrone.25}} says
 
@@ -36,11 +38,13 @@ On a curve that is no tautochrone {{eq 3}} fails by some part, the *defect*
 
 $$ D = \frac{2\,CQ\cdot MH}{AD\cdot GT} - 1, \tag{A} $$
 
-and it is this part that makes its wide swings too slow: the excess of the time of a swing is the mean of $\sqrt{1+D} - 1$ over it, taken so that its height goes as the squared sine of evenly spaced angles.
+and it is this part that makes its wide swings too slow: the excess of the time of a swing is the mean of
+$\sqrt{1+D} - 1$ over it, taken so that its height goes as the squared sine of evenly spaced angles.
 
 ## The program
 
-The lengths of {{eq 1}} on the highest exact tautochrone, and the defect of the curves that the paper knows ({{api tautochrone::defect}}).
+The lengths of {{eq 1}} on the highest exact tautochrone, and the defect of the curves that the paper
+knows ({{api tautochrone::defect}}).
 */
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
@@ -97,10 +101,12 @@ TELL
 }
 
 /*!
-The cycloid misses the proportion by {{of_cycloid|e3}}, Euler's curves by {{of_kk|e3}} and {{of_k4|e3}}. Whoever has a drawing of the cheek can try it with a ruler.
+The cycloid misses the proportion by {{of_cycloid|e3}}, Euler's curves by {{of_kk|e3}} and {{of_k4|e3}}.
+Whoever has a drawing of the cheek can try it with a ruler.
 
 ::: figure tautochrone-26
-alt: The defect against the angle on a logarithmic scale, for k a tenth of a: the circle highest, then the cycloid, then Euler's curves. The last two cross near 58 degrees.
+alt: The defect against the angle on a logarithmic scale, for k a tenth of a: the circle highest, then the
+cycloid, then Euler's curves. The last two cross near 58 degrees.
 
 By how much {{eq 3}} fails, $k = \tfrac1{10}a$. On an exact tautochrone it does not.
 :::
@@ -207,7 +213,8 @@ CHECK_THAT("the figure's curves are these defects")
 }
 
 /*!
-For $AD$ our copy has $r$ where it must have $a$; tried on the exact curve for $a = 1$, $k = \tfrac3{10}$ at 30°.
+For $AD$ our copy has $r$ where it must have $a$; tried on the exact curve for $a = 1$, $k = \tfrac3{10}$
+at 30°.
 */
 
 double depth(bool of_r)

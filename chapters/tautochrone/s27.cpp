@@ -10,31 +10,32 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-So that some fruit may yet be had of an equation that he cannot solve, Euler confines himself to pendulums for which $kk$ is so
-small that it nearly vanishes against the other quantities with which it is compared. Such is the case where
-the body $EF$, which makes up the pendulum, is very heavy and at the same time very small, and where wide swings
-are excluded besides. For the longer such a pendulum is taken, the smaller is $kk$ against $aa$ and $rr$.
+So that some fruit may yet be had of an equation that he cannot solve, Euler confines himself to pendulums
+for which $kk$ is so small that it nearly vanishes against the other quantities with which it is compared.
+Such is the case where the body $EF$, which makes up the pendulum, is very heavy and at the same time very
+small, and where wide swings are excluded besides. For the longer such a pendulum is taken, the smaller is
+$kk$ against $aa$ and $rr$.
 
 Then the integral of the equation may be expressed by a series whose terms go by the powers of $kk$,
 
 $$ \frac ra = r_0 + r_1\frac{kk}{aa} + r_2\frac{k^4}{a^4} + \text{etc.,} \tag{A} $$
 
-and it will be enough to take two or three of them: those that follow may be left out without error because of the
-higher powers of $kk$.
+and it will be enough to take two or three of them: those that follow may be left out without error
+because of the higher powers of $kk$.
 
 ::: margin
 $r_0, r_1, r_2$ are ours; the next sections have $r_0 = \cos\varphi$, $P = r_1/a$, $Q = r_2/a^3$.
 :::
 
-He is right to name $rr$ beside $aa$, and to exclude wide swings. At the angle $\varphi$ the radius is about
-$a\cos\varphi$, and the terms turn out to go by $kk/aa\cos^4\varphi$ rather than by $kk/aa$. That three terms are enough has
-a limit of another kind, too. However small $kk$ is, the terms fall only up to one of them and then grow without end. How
-small the smallest is depends upon the angle by
+He is right to name $rr$ beside $aa$, and to exclude wide swings. At the angle $\varphi$ the radius is
+about $a\cos\varphi$, and the terms turn out to go by $kk/aa\cos^4\varphi$ rather than by $kk/aa$. That
+three terms are enough has a limit of another kind, too. However small $kk$ is, the terms fall only up to
+one of them and then grow without end. How small the smallest is depends upon the angle by
 
 $$ A(\varphi) = -\tfrac12 - l\sin\varphi + \tfrac12\sin^2\varphi. \tag{B} $$
 
-It stands near the place $Aaa/kk$ in the series, and what cannot be had by any number of terms is of the size of
-$e^{-Aaa/kk}$.
+It stands near the place $Aaa/kk$ in the series, and what cannot be had by any number of terms is of the
+size of $e^{-Aaa/kk}$.
 
 ## The program
 
@@ -99,9 +100,9 @@ is that with the power {{best}} of $kk$. Euler's two are well before it.
 {{table terms}}
 
 ::: figure tautochrone-27
-alt: The size of the corrections against their number, on a logarithmic scale, one line for each angle from 10 to 60
-degrees. At 10 and 20 degrees they fall throughout; at 40 degrees they fall
-ever more slowly and come to a stand; at 50 and 60 degrees they soon grow.
+alt: The size of the corrections against their number, on a logarithmic scale, one line for each angle
+from 10 to 60 degrees. At 10 and 20 degrees they fall throughout; at 40 degrees they fall ever more slowly
+and come to a stand; at 50 and 60 degrees they soon grow.
 
 The sizes of the corrections for $k = \tfrac1{10}a$. The wider the angle, the
 sooner they cease to fall.

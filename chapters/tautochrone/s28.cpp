@@ -9,15 +9,16 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-The differential equation of {{sec tautochrone.25}} is ordered by the powers of $kk$, and a series for $r$ is put into it.
-Freed of its fractions the equation reads
+The differential equation of {{sec tautochrone.25}} is ordered by the powers of $kk$, and a series for $r$
+is put into it. Freed of its fractions the equation reads
 
 $$ \begin{aligned}
   &+ar^4{{entry first_power}}\,d\varphi + 2akkrr\,d\varphi + ak^4{{entry last_power_}}\,d\varphi \\
   &-aar^3{{entry cube}}\,d\varphi\cos\varphi - aakkr\,d\varphi\cos\varphi - k^4r\,d\varphi\cos\varphi \\
   &-kkr^3\,d\varphi\cos\varphi - aakk\,dr\sin\varphi - k^4dr\sin\varphi = 0. \end{aligned} \tag{1} $$
 
-If $kk$ vanished, nothing would be left but $ar^4 = aar^3\cos\varphi$, that is $r = a\cos\varphi$. To find a truer value he puts
+If $kk$ vanished, nothing would be left but $ar^4 = aar^3\cos\varphi$, that is $r = a\cos\varphi$. To find
+a truer value he puts
 
 $$ r = a\cos\varphi + kkP + k^4Q + \text{etc.,} \tag{2} $$
 
@@ -29,13 +30,15 @@ and, kept through $k^4$, the powers are
 
 $$ \begin{aligned}
 r^2 &= a^2\cos^2\varphi + 2akkP\cos\varphi + 2ak^4Q\cos\varphi + k^4PP, \\
-r^3 &= a^3\cos^3\varphi + 3aakkP\cos^2\varphi + 3aak^4Q\cos^2\varphi + 3ak^4PP{{entry of_the_cube}}\cos\varphi, \\
-r^4 &= a^4\cos^4\varphi + 4a^3kkP\cos^3\varphi + 4a^3k^4Q\cos^3\varphi + 6aak^4PP{{entry of_the_fourth}}\cos^2\varphi.
+r^3 &= a^3\cos^3\varphi + 3aakkP\cos^2\varphi + 3aak^4Q\cos^2\varphi +
+  3ak^4PP{{entry of_the_cube}}\cos\varphi, \\
+r^4 &= a^4\cos^4\varphi + 4a^3kkP\cos^3\varphi + 4a^3k^4Q\cos^3\varphi +
+  6aak^4PP{{entry of_the_fourth}}\cos^2\varphi.
 \end{aligned} \tag{4} $$
 
 ::: margin
-A singular perturbation: $dr$ has the small factor $kk$, so that each order is found without integrating, and no room is left for a
-constant.
+A singular perturbation: $dr$ has the small factor $kk$, so that each order is found without integrating,
+and no room is left for a constant.
 :::
 
 ## The program
@@ -45,9 +48,10 @@ The left side of {{eq 1}}, divided by $d\varphi$:
 ::: code tautochrone/series.hpp equation (1)
 :::
 
-The series can be carried on as far as one likes. With {{eq 2}} put into {{eq 1}}, the power $k^{2n}$ has the $n$-th coefficient
-multiplied by $a^4\cos^3\varphi$, and all else is known: {{api tautochrone::corrections}}. How well $r$ then satisfies the equation is
-seen from its left side, here divided by $a^5$.
+The series can be carried on as far as one likes. With {{eq 2}} put into {{eq 1}}, the power $k^{2n}$ has
+the $n$-th coefficient multiplied by $a^4\cos^3\varphi$, and all else is known:
+{{api tautochrone::corrections}}. How well $r$ then satisfies the equation is seen from its left side,
+here divided by $a^5$.
 */
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
@@ -92,8 +96,8 @@ TELL
 The cycloid leaves {{cycloid|3}} of {{eq 1}}; with {{n}} corrections {{left|e2}} is left.
 
 ::: figure tautochrone-28
-alt: What the left side of the equation comes to, against k over a, both logarithmic: four straight lines of the slopes 2, 4, 6 and 8
-for none, one, two and three corrections.
+alt: What the left side of the equation comes to, against k over a, both logarithmic: four straight lines
+of the slopes 2, 4, 6 and 8 for none, one, two and three corrections.
 
 What {{eq 1}} leaves at 30° against $k/a$. Each correction makes the line steeper by two.
 :::
@@ -192,8 +196,9 @@ CHECK_THAT("the lines of the figure have the slopes 2, 4, 6 and 8, and end in th
 }
 
 /*!
-In our copy most of the exponents of {{eq 1}} and {{eq 4}} are damaged. All terms of one equation have the same dimension, five; and on the exact
-curve each term must be what the other eight demand, here for $a = 2$, $k = \tfrac35$ at 30°.
+In our copy most of the exponents of {{eq 1}} and {{eq 4}} are damaged. All terms of one equation have the
+same dimension, five; and on the exact curve each term must be what the other eight demand, here for
+$a = 2$, $k = \tfrac35$ at 30°.
 */
 
 struct Curve30  ///< the exact curve's place at 30°

@@ -9,9 +9,9 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-The terms with $kk$ give the first correction of the cycloid, and they give it without integration. When the values of
-{{sec tautochrone.28}} are put into the differential equation, there arises, ordered by powers of $kk$ and divided by
-$d\varphi$,
+The terms with $kk$ give the first correction of the cycloid, and they give it without integration. When
+the values of {{sec tautochrone.28}} are put into the differential equation, there arises, ordered by
+powers of $kk$ and divided by $d\varphi$,
 
 $$ \begin{aligned}
   &+a^5\cos^4\varphi - a^5\cos^4\varphi \\
@@ -26,11 +26,13 @@ $$ aP\cos^3\varphi + \cos^2\varphi - \cos^4\varphi + \sin^2\varphi = 0, \tag{2} 
 
 and therefore
 
-$$ P = \frac{-1+\cos^4\varphi}{a\cos^3\varphi{{entry of_P}}} = \frac{-1}{a\cos^3\varphi} + \frac{\cos\varphi{{entry last_part}}}{a}, \tag{3} $$
+$$ P = \frac{-1+\cos^4\varphi}{a\cos^3\varphi{{entry of_P}}} = \frac{-1}{a\cos^3\varphi} +
+  \frac{\cos\varphi{{entry last_part}}}{a}, \tag{3} $$
 
 from which further
 
-$$ dP = -\frac{3{{entry of_dP}}\,d\varphi\sin\varphi}{a\cos^4\varphi} - \frac{d\varphi\sin\varphi}{a}, \tag{4} $$
+$$ dP = -\frac{3{{entry of_dP}}\,d\varphi\sin\varphi}{a\cos^4\varphi} - \frac{d\varphi\sin\varphi}{a},
+  \tag{4} $$
 
 $$ PP = \frac1{aa\cos^6\varphi} - \frac2{aa\cos^2\varphi} + \frac{\cos^2\varphi}{aa}. \tag{5} $$
 
@@ -38,8 +40,8 @@ $$ PP = \frac1{aa\cos^6\varphi} - \frac2{aa\cos^2\varphi} + \frac{\cos^2\varphi}
 With $t = \tan^2\varphi$, $aP = -t(2+t)\cos\varphi$.
 :::
 
-As $P$ is negative, the radius of curvature of the tautochrone falls below the cycloid's: its thread must be wound up faster. Near the
-vertical the correction is $-2\varphi^2kk/a$.
+As $P$ is negative, the radius of curvature of the tautochrone falls below the cycloid's: its thread must
+be wound up faster. Near the vertical the correction is $-2\varphi^2kk/a$.
 
 ## The program
 
@@ -85,10 +87,12 @@ TELL
 At 30° the radius is shortened by {{correction|e3}} of $a$.
 
 ::: figure tautochrone-29
-alt: Three curves against the angle. The squared sine rises to 0.88 at 70 degrees, the difference of the powers of the cosine rises to a quarter
-at 45 degrees and falls, and P times the cubed cosine is their sum turned downwards.
+alt: Three curves against the angle. The squared sine rises to 0.88 at 70 degrees, the difference of the
+powers of the cosine rises to a quarter at 45 degrees and falls, and P times the cubed cosine is their sum
+turned downwards.
 
-The three pieces of {{eq 2}} for $a = 1$. What the kinetic energy of turning adds, above, $P\cos^3\varphi$ must take away, below.
+The three pieces of {{eq 2}} for $a = 1$. What the kinetic energy of turning adds, above, $P\cos^3\varphi$
+must take away, below.
 :::
 
 ## Checks
@@ -167,8 +171,8 @@ CHECK_THAT("the pieces in the figure add up to nothing, and are those of (2)")
 }
 
 /*!
-Our copy has damaged exponents in {{eq 3}} and {{eq 4}}. The readings are tried at φ = 30° and $a = 1$: against the recursion, which knows nothing of them, and against
-differences of it.
+Our copy has damaged exponents in {{eq 3}} and {{eq 4}}. The readings are tried at φ = 30° and $a = 1$:
+against the recursion, which knows nothing of them, and against differences of it.
 */
 
 double at_30(double of_one, double of_cosine)  // −1/cos^..φ + cos^..φ

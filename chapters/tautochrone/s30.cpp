@@ -23,13 +23,15 @@ for the radius $r = MG$ where the free part of the pendulum makes the angle $\va
 {{sec tautochrone.29}} the terms with $kk$ gave $P = -(1-\cos^4\varphi)/a\cos^3\varphi$. Now the terms with
 $k^4$ must vanish too. Divided by $a\,d\varphi$ they are
 
-$$ \begin{aligned} a^3Q\cos^3\varphi &+ 3aaPP{{entry first_line}}\cos^2\varphi + 3aP\cos\varphi - 3aP\cos^3\varphi \\
+$$ \begin{aligned} a^3Q\cos^3\varphi &+ 3aaPP{{entry first_line}}\cos^2\varphi + 3aP\cos\varphi -
+  3aP\cos^3\varphi \\
    &- \frac{a\,dP\sin\varphi}{d\varphi} + 2\sin^2\varphi = 0. \end{aligned} \tag{1} $$
 
 With $P$, $PP$ and $dP$ put in from {{sec tautochrone.29}} this becomes
 
 $$ \begin{aligned}
-   a^3Q\cos^3\varphi &+ \frac{3}{\cos^4\varphi}{{entry three_over}} - 3 - \frac{3}{\cos^2\varphi} + 3\cos^2\varphi \\
+    a^3Q\cos^3\varphi &+ \frac{3}{\cos^4\varphi}{{entry three_over}} - 3 - \frac{3}{\cos^2\varphi} +
+  3\cos^2\varphi \\
    &+ 3\sin^2\varphi + \frac{3\sin^2\varphi}{\cos^4\varphi} = 0, \end{aligned} \tag{2} $$
 
 or, since $\sin^2\varphi = 1 - \cos^2\varphi$,

@@ -15,32 +15,37 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-For bodies whose $kk$ is very small he now has an equation between the radius of curvature $GM = r$ of the tautochrone $CG$
-and its amplitude, the angle $GMS = \varphi$; from it whatever is needed for drawing the curve follows by three integrations. Let
-the arc be $CG = z$, the abscissa $CQ = x$ and the ordinate $QG = y$. Then
+For bodies whose $kk$ is very small he now has an equation between the radius of curvature $GM = r$ of the
+tautochrone $CG$ and its amplitude, the angle $GMS = \varphi$; from it whatever is needed for drawing the
+curve follows by three integrations. Let the arc be $CG = z$, the abscissa $CQ = x$ and the ordinate
+$QG = y$. Then
 
 $$ dz = r\,d\varphi, \qquad dx = r\,d\varphi\sin\varphi, \qquad dy = r\,d\varphi\cos\varphi, \tag{1} $$
 
 and with $r$ from {{sec tautochrone.30}}
 
 $$ z = a\!\int\! d\varphi\cos\varphi - \frac{kk}a{{entry lost_k}}\!\int\!\frac{d\varphi}{\cos^3\varphi}
-     + \frac{kk}a\!\int\! d\varphi\cos\varphi - \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^2\varphi}{\cos^7\varphi}, \tag{2} $$
+      + \frac{kk}a\!\int\! d\varphi\cos\varphi -
+  \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^2\varphi}{\cos^7\varphi}, \tag{2} $$
 
-$$ x = a\!\int\! d\varphi\sin\varphi\cos\varphi - \frac{kk}a\!\int\!\frac{d\varphi\sin\varphi}{\cos^3\varphi}
-     + \frac{kk}a\!\int\! d\varphi\sin\varphi\cos\varphi - \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^3\varphi}{\cos^7\varphi{{entry seventh}}}, \tag{3} $$
+$$ x = a\!\int\! d\varphi\sin\varphi\cos\varphi -
+  \frac{kk}a\!\int\!\frac{d\varphi\sin\varphi}{\cos^3\varphi}
+      + \frac{kk}a\!\int\! d\varphi\sin\varphi\cos\varphi -
+  \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^3\varphi}{\cos^7\varphi{{entry seventh}}}, \tag{3} $$
 
 $$ y = a\!\int\! d\varphi\cos^2\varphi - \frac{kk}a\!\int\!\frac{d\varphi}{\cos^2\varphi}
-     + \frac{kk}a\!\int\! d\varphi\cos^2\varphi - \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^2\varphi}{\cos^6\varphi}. \tag{4} $$
+      + \frac{kk}a\!\int\! d\varphi\cos^2\varphi -
+  \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^2\varphi}{\cos^6\varphi}. \tag{4} $$
 
 ::: margin
-The amplitude of a place is here the angle of the thread, not the width of a swing. The angle of a curve's normal as its variable is today its
-tangential angle.
+The amplitude of a place is here the angle of the thread, not the width of a swing. The angle of a curve's
+normal as its variable is today its tangential angle.
 :::
 
 ## The program
 
-With today's means one may leave the integrals as they are and sum them: Gauss's rule with a few places in which $r$ is
-evaluated. {{sec tautochrone.32}} has them in finite terms, and that is what is told.
+With today's means one may leave the integrals as they are and sum them: Gauss's rule with a few places in
+which $r$ is evaluated. {{sec tautochrone.32}} has them in finite terms, and that is what is told.
 */
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
@@ -88,10 +93,12 @@ TELL
 With $k = \tfrac1{10}a$, at 30°, the arc is {{z|12}}; {{nodes}} places give {{z_by_rule|12}}.
 
 ::: figure tautochrone-31
-alt: The relative error of the arc against the number of places of Gauss's rule, logarithmic. At 30 degrees it falls to the last digit of a double within eight
-places, at 60 degrees within fifteen, at 75 and 80 degrees more and more slowly.
+alt: The relative error of the arc against the number of places of Gauss's rule, logarithmic. At 30
+degrees it falls to the last digit of a double within eight places, at 60 degrees within fifteen, at 75
+and 80 degrees more and more slowly.
 
-The error of Gauss's rule for the arc, $k = \tfrac1{10}a$. The nearer the angle to 90°, where $1:\cos^7\varphi$ is infinite, the more places are wanted.
+The error of Gauss's rule for the arc, $k = \tfrac1{10}a$. The nearer the angle to 90°, where
+$1:\cos^7\varphi$ is infinite, the more places are wanted.
 :::
 
 ## Speed against error
@@ -115,7 +122,8 @@ TELL
 /*!
 ## Checks
 
-The judge sums in fifty digits, by a rule of another kind and with a radius of curvature that comes from the recursion of {{sec tautochrone.28}}.
+The judge sums in fifty digits, by a rule of another kind and with a radius of curvature that comes from
+the recursion of {{sec tautochrone.28}}.
 */
 
 Fifty summed(const Fifty& ratio, const Fifty& to, const std::function<Fifty(const Fifty&)>& factor)
@@ -217,7 +225,8 @@ CHECK_THAT("the four integrals of each line, summed one by one, make (2), (3) an
 }
 
 /*!
-In our copy $kk$ has lost a $k$ in {{eq 2}}, twice, and {{eq 3}} has a 6 where it must have a 7. The readings are tried at $a = 1$, $k = \tfrac3{10}$, φ = 30°.
+In our copy $kk$ has lost a $k$ in {{eq 2}}, twice, and {{eq 3}} has a 6 where it must have a 7. The
+readings are tried at $a = 1$, $k = \tfrac3{10}$, φ = 30°.
 */
 
 double with(double of_kk, int exponent, bool height)

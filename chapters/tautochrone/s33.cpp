@@ -11,36 +11,44 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-For a pendulum one needs not the curve that it describes but the cheek that makes it do so, which is that curve's evolute. To
-find this directrix $AMB$, let any arc of it be $AM = s$, the abscissa $AP = p$, and the ordinate $PM = q$. Then
+For a pendulum one needs not the curve that it describes but the cheek that makes it do so, which is that
+curve's evolute. To find this directrix $AMB$, let any arc of it be $AM = s$, the abscissa $AP = p$, and
+the ordinate $PM = q$. Then
 
 $$ s = a - r, \qquad dp = ds\cos\varphi, \qquad dq = ds\sin\varphi, \tag{1} $$
 
-because the thread, of the length $a$, lies on the cheek with its part $s$ and touches it with the rest. From what was
-found before,
+because the thread, of the length $a$, lies on the cheek with its part $s$ and touches it with the rest.
+From what was found before,
 
-$$ s = a - a\cos\varphi - \frac{kk\cos\varphi}a + \frac{kk}{a\cos^3\varphi} - \frac{6k^4}{a^3{{entry cube_of_a}}\cos^5\varphi} +
+$$ s = a - a\cos\varphi - \frac{kk\cos\varphi}a + \frac{kk}{a\cos^3\varphi} -
+  \frac{6k^4}{a^3{{entry cube_of_a}}\cos^5\varphi} +
 \frac{6k^4}{a^3\cos^7\varphi}, \tag{2} $$
 
-$$ \begin{aligned} ds = a\,d\varphi\sin\varphi + \frac{kk\,d\varphi\sin\varphi}a &+ \frac{3kk\,d\varphi\sin\varphi}{a\cos^4\varphi}
- \\ &- \frac{30k^4d\varphi\sin\varphi}{a^3\cos^6\varphi} + \frac{42k^4d\varphi\sin\varphi}{a^3\cos^8\varphi}, \end{aligned} \tag{3} $$
+$$ \begin{aligned} ds = a\,d\varphi\sin\varphi + \frac{kk\,d\varphi\sin\varphi}a &+
+  \frac{3kk\,d\varphi\sin\varphi}{a\cos^4\varphi}
+  \\ &- \frac{30k^4d\varphi\sin\varphi}{a^3\cos^6\varphi} +
+  \frac{42k^4d\varphi\sin\varphi}{a^3\cos^8\varphi}, \end{aligned} \tag{3} $$
 
 $$ \begin{aligned} dp = a\,d\varphi\sin\varphi\cos\varphi &+ \frac{kk\,d\varphi\sin\varphi\cos\varphi}a
  + \frac{3kk\,d\varphi\sin\varphi}{a\cos^3\varphi} \\ &- \frac{30k^4d\varphi\sin\varphi}{a^3\cos^5\varphi} +
  \frac{42k^4d\varphi\sin\varphi}{a^3\cos^7\varphi}, \end{aligned} \tag{4} $$
 
-$$ \begin{aligned} dq = a\,d\varphi\sin^2\varphi &+ \frac{kk\,d\varphi\sin^2\varphi}a - \frac{3kk\,d\varphi}{a\cos^2\varphi} +
- \frac{3kk\,d\varphi}{a\cos^4\varphi} \\ &+ \frac{30k^4d\varphi}{a^3\cos^4\varphi} - \frac{72k^4d\varphi}{a^3\cos^6\varphi} +
+$$ \begin{aligned} dq = a\,d\varphi\sin^2\varphi &+ \frac{kk\,d\varphi\sin^2\varphi}a -
+  \frac{3kk\,d\varphi}{a\cos^2\varphi} +
+  \frac{3kk\,d\varphi}{a\cos^4\varphi} \\ &+ \frac{30k^4d\varphi}{a^3\cos^4\varphi} -
+  \frac{72k^4d\varphi}{a^3\cos^6\varphi} +
  \frac{42k^4d\varphi}{a^3\cos^8\varphi}. \end{aligned} \tag{5} $$
 
 ::: margin
-$ds/d\varphi$ is the cheek's own radius of curvature. It is zero in $A$: the two cheeks meet there in a cusp.
+$ds/d\varphi$ is the cheek's own radius of curvature. It is zero in $A$: the two cheeks meet there in a
+cusp.
 :::
 
 ## The program
 
-As they stand, {{eq 2}} and {{eq 5}} lose their digits at small angles, where terms of the size of $a$ must leave a number of
-the size of $a\varphi^2$. With $t = \tan^2\varphi$ all that is left of them is positive:
+As they stand, {{eq 2}} and {{eq 5}} lose their digits at small angles, where terms of the size of $a$
+must leave a number of the size of $a\varphi^2$. With $t = \tan^2\varphi$ all that is left of them is
+positive:
 
 ::: code tautochrone/euler.hpp cheek (2) (3)
 :::
@@ -95,11 +103,13 @@ TELL
 At 30° the thread lies on the cheek with {{s|8}} m; on Huygens's it would with {{cycloid|8}} m.
 
 ::: figure tautochrone-33
-alt: The cheek's radius of curvature against the angle. The cycloid's is the sine. Euler's with one and with two corrections leave it upwards, the second
-steeply from 45 degrees. The exact one rises to a peak above 50 degrees and falls to zero at 71 degrees.
+alt: The cheek's radius of curvature against the angle. The cycloid's is the sine. Euler's with one and
+with two corrections leave it upwards, the second steeply from 45 degrees. The exact one rises to a peak
+above 50 degrees and falls to zero at 71 degrees.
 
-How the cheek is bent, $k = \tfrac1{10}a$: its radius of curvature. Euler's cheek gets ever flatter. That which belongs to the
-highest exact tautochrone is flattest between 50° and 60°, and ends at 71° in a second cusp, where $ds = 0$.
+How the cheek is bent, $k = \tfrac1{10}a$: its radius of curvature. Euler's cheek gets ever flatter. That
+which belongs to the highest exact tautochrone is flattest between 50° and 60°, and ends at 71° in a
+second cusp, where $ds = 0$.
 :::
 
 ## Checks
@@ -181,7 +191,8 @@ CHECK_THAT("in the figure the exact cheek's bend is the slope of the exact radiu
 }
 
 /*!
-Our copy has $aa$ for $a^3$ under every $k^4$. Then the terms are no lengths; and a cheek so cut would not have the arc $a - r$.
+Our copy has $aa$ for $a^3$ under every $k^4$. Then the terms are no lengths; and a cheek so cut would not
+have the arc $a - r$.
 */
 
 double arc_with(int power_of_a)  // (2) at a = 2, k = ½, cos φ = ½

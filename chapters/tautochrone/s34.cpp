@@ -12,47 +12,56 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-The formulae of {{sec tautochrone.33}}, integrated, give both coordinates of the cheek for any angle, so that it can be drawn by points; with that
-the paper ends. The abscissa $AP$ is
+The formulae of {{sec tautochrone.33}}, integrated, give both coordinates of the cheek for any angle, so
+that it can be drawn by points; with that the paper ends. The abscissa $AP$ is
 
 $$ p = \tfrac12a\sin^2\varphi + \frac{kk\sin^2\varphi}{2a} - \frac{3kk}{2a} + \frac{3kk}{2a\cos^2\varphi} -
-\frac{15k^4}{2a^3{{entry cube_of_a}}\cos^4\varphi} + \frac{7k^4}{a^3\cos^6\varphi} + \frac{k^4}{2a^3}. \tag{1} $$
+\frac{15k^4}{2a^3{{entry cube_of_a}}\cos^4\varphi} + \frac{7k^4}{a^3\cos^6\varphi} + \frac{k^4}{2a^3}.
+  \tag{1} $$
 
 For the ordinate one needs
 
 $$ \int d\varphi\sin^2\varphi = \tfrac12\varphi - \tfrac12\sin\varphi\cos\varphi, \tag{2} $$
 
 $$ \int\frac{d\varphi}{\cos^2\varphi} = \frac{\sin\varphi}{\cos\varphi}, \qquad
-   \int\frac{d\varphi}{\cos^4\varphi} = \frac{\sin\varphi}{3\cos^3\varphi} + \frac{2\sin\varphi}{3\cos\varphi}, \tag{3} $$
+    \int\frac{d\varphi}{\cos^4\varphi} = \frac{\sin\varphi}{3\cos^3\varphi} +
+  \frac{2\sin\varphi}{3\cos\varphi}, \tag{3} $$
 
-$$ \int\frac{d\varphi}{\cos^6\varphi} = \frac{\sin\varphi}{5\cos^5\varphi} + \frac{4\sin\varphi}{15\cos^3\varphi} + \frac{8\sin\varphi}{15\cos\varphi}, \tag{4} $$
+$$ \int\frac{d\varphi}{\cos^6\varphi} = \frac{\sin\varphi}{5\cos^5\varphi} +
+  \frac{4\sin\varphi}{15\cos^3\varphi} + \frac{8\sin\varphi}{15\cos\varphi}, \tag{4} $$
 
-$$ \int\frac{d\varphi}{\cos^8\varphi} = \frac{\sin\varphi}{7\cos^7\varphi} + \frac{6\sin\varphi}{35\cos^5\varphi} +
+$$ \int\frac{d\varphi}{\cos^8\varphi} = \frac{\sin\varphi}{7\cos^7\varphi} +
+  \frac{6\sin\varphi}{35\cos^5\varphi} +
    \frac{8\sin\varphi}{35\cos^3\varphi} + \frac{16\sin\varphi}{35\cos\varphi}, \tag{5} $$
 
 and has
 
-$$ \begin{aligned} q &= \tfrac12a\varphi - \tfrac12a\sin\varphi\cos\varphi + \frac{kk\varphi}{2a} - \frac{kk\sin\varphi\cos\varphi}{2a}
+$$ \begin{aligned} q &= \tfrac12a\varphi - \tfrac12a\sin\varphi\cos\varphi + \frac{kk\varphi}{2a} -
+  \frac{kk\sin\varphi\cos\varphi}{2a}
   - \frac{kk\sin\varphi}{a\cos\varphi} + \frac{kk\sin\varphi}{a\cos^3\varphi} \\
-  &+ \frac{k^4\sin\varphi}{a^3\cos\varphi}\Bigl(\frac45 + \frac2{5\cos^2\varphi} - \frac{36}{5\cos^4\varphi} + \frac6{\cos^6\varphi}\Bigr).
+   &+ \frac{k^4\sin\varphi}{a^3\cos\varphi}\Bigl(\frac45 + \frac2{5\cos^2\varphi} -
+  \frac{36}{5\cos^4\varphi} + \frac6{\cos^6\varphi}\Bigr).
   \end{aligned} \tag{6} $$
 
-Since both coordinates, $p$ and $q$, can be had from the given angle φ, which is also the amplitude of the arc $AM$, the curve that was sought,
-$AMB$, is constructed without difficulty.
+Since both coordinates, $p$ and $q$, can be had from the given angle φ, which is also the amplitude of the
+arc $AM$, the curve that was sought, $AMB$, is constructed without difficulty.
 
 ::: margin
 The cheek's amplitude is the angle through which its tangent has turned.
 :::
 
-How good is a clock with such cheeks? For narrow swings the excess of the time can be had in finite terms: with $n$ corrections in the radius it is
+How good is a clock with such cheeks? For narrow swings the excess of the time can be had in finite terms:
+with $n$ corrections in the radius it is
 
-$$ \frac T{T_0} - 1 = \frac{kk}{aa+kk}\Bigl(\frac{3kk}{aa}\Bigr)^{\!n}\frac{\varphi_0^2}4 \text{ nearly}, \tag{A} $$
+$$ \frac T{T_0} - 1 = \frac{kk}{aa+kk}\Bigl(\frac{3kk}{aa}\Bigr)^{\!n}\frac{\varphi_0^2}4 \text{
+  nearly}, \tag{A} $$
 
 so that each correction is worth the factor $3kk/aa$.
 
 ## The program
 
-The workshop gets a table of points, and beside it how far the cheek stands off from Huygens's, which has $k = 0$.
+The workshop gets a table of points, and beside it how far the cheek stands off from Huygens's, which has
+$k = 0$.
 */
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
@@ -115,16 +124,18 @@ TELL
 }
 
 /*!
-A clock with such cheeks, $k = \tfrac1{10}a$, loses {{late|e3}} s in a day if it swings 5°. The cheek stands off from Huygens's by more than a workshop can neglect:
+A clock with such cheeks, $k = \tfrac1{10}a$, loses {{late|e3}} s in a day if it swings 5°. The cheek
+stands off from Huygens's by more than a workshop can neglect:
 
 {{table cheek}}
 
 ::: figure tautochrone-34
-alt: Three cheeks hang from one cusp; the larger k is, the more steeply they run down. The dashed exact cheek for three
-tenths is steeper still, and short.
+alt: Three cheeks hang from one cusp; the larger k is, the more steeply they run down. The dashed exact
+cheek for three tenths is steeper still, and short.
 
-The cheek for $k = 0$, for $\tfrac1{10}a$ and for $\tfrac3{10}a$, each up to the depth $0{,}62a$ at most. Dashed, the cheek of the
-highest exact tautochrone for $\tfrac3{10}a$: of so large a body Euler's is no longer near.
+The cheek for $k = 0$, for $\tfrac1{10}a$ and for $\tfrac3{10}a$, each up to the depth $0{,}62a$ at most.
+Dashed, the cheek of the highest exact tautochrone for $\tfrac3{10}a$: of so large a body Euler's is no
+longer near.
 :::
 
 ## Checks
