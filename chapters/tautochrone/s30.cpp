@@ -50,14 +50,14 @@ $$ r = a\cos\varphi - \frac{kk\,(1-\cos^4\varphi)}{a\cos^3\varphi}{{entry fourth
 In the vertical, $\varphi = 0$, this is $r = a = AC$, as the nature of the thing demands.
 
 ::: margin
-The first term is Huygens's cycloid. The terms go by powers of $kk/aa\cos^4\varphi$, which is small only while
-the swing is not wide.
+The first term is Huygens's cycloid. The terms go by powers of $kk/aa\cos^4\varphi$, which is small only
+while the swing is not wide.
 :::
 
 ## The program
 
-$P$, $Q$ and all that comes of them are polynomials in $\cos\varphi$ and $1/\cos\varphi$. The program reckons
-with them in exact fractions, for all $\varphi$ at once.
+$P$, $Q$ and all that comes of them are polynomials in $\cos\varphi$ and $1/\cos\varphi$. The program
+reckons with them in exact fractions, for all $\varphi$ at once.
 
 ::: code tautochrone/series.hpp powers
 :::
@@ -92,8 +92,8 @@ at small angles:
 :::
 
 A second route forgets these lines and starts from the equation of {{sec tautochrone.28}}. For $a = 1$ and
-$u = kk + rr$ it is $uu - (1+kk)\,ru\cos\varphi - kk(1+kk)\,\frac{dr}{d\varphi}\sin\varphi = 0$; with $k^{2n}$ the
-unknown coefficient $r_n$ is multiplied by $\cos^3\varphi$, and all else is known.
+$u = kk + rr$ it is $uu - (1+kk)\,ru\cos\varphi - kk(1+kk)\,\frac{dr}{d\varphi}\sin\varphi = 0$; with
+$k^{2n}$ the unknown coefficient $r_n$ is multiplied by $\cos^3\varphi$, and all else is known.
 
 ::: code tautochrone/series.cpp corrections
 :::
@@ -103,10 +103,10 @@ The judge is a curve that satisfies Euler's equation exactly. {{sec tautochrone.
 ::: code tautochrone/curve.hpp slope
 :::
 
-For $k < a$ infinitely many of its solutions pass through $r = a$ at $\varphi = 0$, where it is singular; each
-is a tautochrone up to the place where $dr = 0$ and its cheek would have to turn back. The one that lets the
-pendulum rise highest ends at $\tan\varphi = (a-k)/\sqrt{ak}$; {{api tautochrone::highest}} follows it from there
-backwards, because backwards all errors die.
+For $k < a$ infinitely many of its solutions pass through $r = a$ at $\varphi = 0$, where it is singular;
+each is a tautochrone up to the place where $dr = 0$ and its cheek would have to turn back. The one that
+lets the pendulum rise highest ends at $\tan\varphi = (a-k)/\sqrt{ak}$; {{api tautochrone::highest}}
+follows it from there backwards, because backwards all errors die.
 */
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
@@ -180,14 +180,14 @@ Euler's curve with two corrections lies below it and runs to zero at 66 degrees.
 to Euler's to about 45 degrees, falls steeply between 45 and 60, and ends at 71 degrees at 0.30.
 
 The radius of curvature, in units of $a$. To about 45° Euler's formula and the exact curve are one line.
-Beyond, his runs to $r = 0$, where the whole thread would be wound up; the exact curve keeps away from zero, and
-ends at {{end|deg1}}.
+Beyond, his runs to $r = 0$, where the whole thread would be wound up; the exact curve keeps away from
+zero, and ends at {{end|deg1}}.
 :::
 
 ::: figure tautochrone-30-errors
-alt: The error of the series against the angle, on a logarithmic scale, for the cycloid and for 1, 2, 4 and 8
-corrections. At small angles every correction lowers the error by a decade or more. The lines come together
-near 50 degrees and part again in the opposite order.
+alt: The error of the series against the angle, on a logarithmic scale, for the cycloid and for 1, 2, 4
+and 8 corrections. At small angles every correction lowers the error by a decade or more. The lines come
+together near 50 degrees and part again in the opposite order.
 
 The error of $r/a$ when the series is kept through $k^{2n}$; the dips are where an approximation crosses the
 exact curve. The more corrections, the better at small angles, and the worse at the end of the curve.
@@ -195,8 +195,8 @@ exact curve. The more corrections, the better at small angles, and the worse at 
 
 ## Speed against error
 
-Three ways to one radius: the formula, the series with more or fewer corrections, and the exact equation followed
-backwards from the end of the curve, by GSL's steps and by the flow on the sphere.
+Three ways to one radius: the formula, the series with more or fewer corrections, and the exact equation
+followed backwards from the end of the curve, by GSL's steps and by the flow on the sphere.
 */
 
 constexpr std::pair<int, const char*> kept[]{{1, "k²"}, {2, "k⁴"}, {4, "k⁸"}, {8, "k¹⁶"}, {12, "k²⁴"}};
@@ -380,11 +380,12 @@ const Emendation fourth_power{
 /*!
 ## Notes
 
-Euler says nothing of how near *nearly* is. Today the series would be called asymptotic: it diverges, but for a
-small body on a long thread and no wide swings, his own condition, its terms fall for long before they grow.
+Euler says nothing of how near *nearly* is. Today the series would be called asymptotic: it diverges, but
+for a small body on a long thread and no wide swings, his own condition, its terms fall for long before
+they grow.
 
-$P$ and $Q$ come without integration: since $dr$ is multiplied by $kk$, it enters each order with a coefficient
-already known. So no constant of integration appears, and it stays hidden that the tautochrone is not unique.
-Near the vertical the others differ from Euler's by a multiple of $\varphi$ to the power $aa/kk - 1$, smaller
-than every power of $kk$.
+$P$ and $Q$ come without integration: since $dr$ is multiplied by $kk$, it enters each order with a
+coefficient already known. So no constant of integration appears, and it stays hidden that the tautochrone
+is not unique. Near the vertical the others differ from Euler's by a multiple of $\varphi$ to the power
+$aa/kk - 1$, smaller than every power of $kk$.
 */

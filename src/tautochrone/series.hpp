@@ -52,6 +52,7 @@ Real radius(const Real& a, const Real& k, const Real& phi)
 }
 // [radius]
 
+// [equation]
 /**
  * The left side of Euler's differential equation, ordered by powers of kk as in §28; zero on a tautochrone.
  *
@@ -65,6 +66,7 @@ Real equation(const Real& a, const Real& kk, const Real& r, const Real& dr_sin, 
          + kk * (2 * a * rr - a * a * r * cos - rr * r * cos - a * a * dr_sin)
          + kk * kk * (a - r * cos - dr_sin);
 }
+// [equation]
 
 /**
  * r₀, r₁, ... with r = a Σ rₙ (kk/aa)ⁿ: the first `last` + 1 coefficients, polynomials in cos φ and 1/cos
