@@ -12,7 +12,7 @@
 #include "edition/compare.hpp"
 
 using namespace balance;
-using edition::between, edition::Fifty, edition::within, edition::within_relative, edition::within_ulps;
+using edition::Fifty, edition::within, edition::within_relative, edition::within_ulps;
 
 namespace
 {

@@ -104,11 +104,11 @@ std::vector<Fifty> squares(const Suspended& s)
         static_cast<double>(sqrt(m.mass[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)]));
   for(int i = 0; i < n; ++i)
   {
-    const auto x = static_cast<std::size_t>(i + first);
+    const auto x = static_cast<std::size_t>(i) + static_cast<std::size_t>(first);
     stiffness(i, i) = static_cast<double>(m.stiffness[x]) / scale[x] / scale[x];
     for(int j = 0; j < n; ++j)
     {
-      const auto y = static_cast<std::size_t>(j + first);
+      const auto y = static_cast<std::size_t>(j) + static_cast<std::size_t>(first);
       mass(i, j) = static_cast<double>(m.mass[x][y]) / scale[x] / scale[y];
     }
   }

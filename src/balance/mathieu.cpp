@@ -73,8 +73,8 @@ int interval_of(double a, double q)
   return k;
 }
 
-Characteristic from_matrix(Eigen::VectorXd diagonal, Eigen::VectorXd beside, int which, int first,
-                           bool doubled)
+Characteristic from_matrix(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside, int which,
+                           int first, bool doubled)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   solver.computeFromTridiagonal(diagonal, beside);

@@ -111,7 +111,7 @@ std::vector<Fifty> through(const Fifty& k, const Fifty& phi, const Fifty& r,
   if(!(phi > 0 && r > 0 && (1 + k * k) * r * cos(phi) >= (k * k + r * r) * (1 - Fifty("1e-45"))))
     throw std::domain_error("no cheek leads through this point: dr would be positive there");
   const Point end{phi, r, 0};
-  return down_from(k, end, angles, [&](const Fifty&) { return end; });
+  return down_from(k, end, angles, [&](const Fifty&) { return Point(end); });
 }
 
 Fifty highest(const Fifty& k, const Fifty& phi)
