@@ -7,6 +7,7 @@ import { table, tableEnd, verdict } from './claims.mjs';
 import { escape, heading, slug } from './prose.mjs';
 import { asTime } from './numbers.mjs';
 import * as speed from './speed.mjs';
+import * as systems from './systems.mjs';
 
 const twoDigits = (n) => String(n).padStart(2, '0');
 const sectionsOf = (book, chapter) => [...book.sections.values()].filter((s) => s.chapter === chapter.id);
@@ -236,4 +237,6 @@ export const lists = {
   notation,
   citation,
   search,
+  'other-systems': (book, of) => (of ? systems.errors(book, of) : systems.conventions(book)),
+  engines: systems.engines,
 };
