@@ -130,7 +130,8 @@ TEST_CASE("at 90°, where the nome is exchanged for its dual, nothing jumps")
   }
   CAPTURE(angle.at);
   CAPTURE(velocity.at);
-  // The two amplitudes differ by one ulp of ½π, the periods by 2·10⁻¹⁶; either form errs by up to three ulps.
+  // The two amplitudes differ by one ulp of ½π, the periods by 2·10⁻¹⁶; either form errs by up to three
+  // ulps.
   CHECK(angle.error <= 7 * 0x1p-52);
   CHECK(velocity.error <= 7 * 0x1p-52);
   // K from both sides of k = kc.

@@ -29,13 +29,14 @@ double distance(double got, const Fifty& exact)
   return static_cast<double>(abs(Fifty(got) - exact));
 }
 
-// How far Φ may be off in units of 2⁻⁵² ζ, read from rows and computed from the beginning: the rows are right to a
-// rounding, and reading them rounds once more. And Φ' in units of 2⁻⁵² 2k.
+// How far Φ may be off in units of 2⁻⁵² ζ, read from rows and computed from the beginning: the rows are
+// right to a rounding, and reading them rounds once more. And Φ' in units of 2⁻⁵² 2k.
 constexpr double allowed_by_rows = 1.1;
 constexpr double allowed = 2;
 constexpr double allowed_velocity = 2.5;
 
-// One amplitude, its motion and the oracle's; `since_bottom` is the time from the bottom to the clock's start.
+// One amplitude, its motion and the oracle's; `since_bottom` is the time from the bottom to the clock's
+// start.
 struct Case
 {
   Amplitude a;
@@ -194,7 +195,8 @@ TEST_CASE("the energy ½Φ'² + 1 − cos Φ does not change at 10⁶ random tim
     }
     CAPTURE(zeta);
     CAPTURE(worst.at);
-    // Judged in long double, so that only Φ and Φ' are. 2¼ ε of Φ' are 4½ of its square, and Φ has its own half.
+    // Judged in long double, so that only Φ and Φ' are. 2¼ ε of Φ' are 4½ of its square, and Φ has its own
+    // half.
     CHECK(worst.error <= 5);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <limits>
 #include <stdexcept>
 
 namespace race
@@ -27,13 +28,6 @@ std::size_t repetitions_for(const Entrant& entrant, double seconds)
   return repetitions;
 }
 
-double median(std::vector<double> x)
-{
-  std::sort(x.begin(), x.end());
-  const std::size_t half = x.size() / 2;
-  return x.size() % 2 == 1 ? x[half] : (x[half - 1] + x[half]) / 2;
-}
-
 // Half of what lies between the quartiles, as a part of the median.
 double spread(std::vector<double> x)
 {
@@ -43,6 +37,25 @@ double spread(std::vector<double> x)
 }
 
 }  // namespace
+
+double median(std::vector<double> x)
+{
+  if(x.empty())
+    return std::numeric_limits<double>::quiet_NaN();
+  std::sort(x.begin(), x.end());
+  const std::size_t half = x.size() / 2;
+  return x.size() % 2 == 1 ? x[half] : (x[half - 1] + x[half]) / 2;
+}
+
+Timing timing_of(const std::string& name, const std::vector<double>& times,
+                 const std::vector<double>& first)
+{
+  std::vector<double> ratios;
+  for(std::size_t round = 0; round < times.size(); ++round)
+    ratios.push_back(times[round] / first[round]);
+  return {name, median(times), *std::min_element(times.begin(), times.end()), median(ratios),
+          spread(ratios)};
+}
 
 std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
 {
@@ -68,13 +81,7 @@ std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options)
 
   std::vector<Timing> timings;
   for(std::size_t i = 0; i < n; ++i)
-  {
-    std::vector<double> ratios;
-    for(std::size_t round = 0; round < times[i].size(); ++round)
-      ratios.push_back(times[i][round] / times[0][round]);
-    const double fastest = *std::min_element(times[i].begin(), times[i].end());
-    timings.push_back({entrants[i].name, median(times[i]), fastest, median(ratios), spread(ratios)});
-  }
+    timings.push_back(timing_of(entrants[i].name, times[i], times[0]));
   return timings;
 }
 

@@ -1,10 +1,10 @@
 /// @file
 /// Several ways to one result, timed against each other in one process.
 ///
-/// A single timing tells little on a machine that does other things too. Here all entrants run in turn, round
-/// after round, so that what disturbs one disturbs all, and what is reported of each is the median: of its
-/// own time, and of its time over that of the first entrant in the same round. The time is the processor's,
-/// not the wall clock's.
+/// A single timing tells little on a machine that does other things too. Here all entrants run in turn,
+/// round after round, so that what disturbs one disturbs all, and what is reported of each is the median:
+/// of its own time, and of its time over that of the first entrant in the same round. The time is the
+/// processor's, not the wall clock's.
 #pragma once
 
 #include <cstddef>
@@ -45,6 +45,14 @@ struct Timing
 /// evaluations or without a function, or fewer than one round, throws std::invalid_argument.
 std::vector<Timing> run(const std::vector<Entrant>& entrants, Options options = {});
 
+/// The median; of none, NaN.
+double median(std::vector<double> x);
+
+/// What is told of an entrant by its time for one evaluation in each round, and that of the first entrant.
+/// Both must have as many elements, at least one.
+Timing timing_of(const std::string& name, const std::vector<double>& times,
+                 const std::vector<double>& first);
+
 /// Makes the compiler believe that somebody looks at `value`, so that it must be computed. Costs nothing.
 template <class T>
 inline void keep(const T& value)
@@ -52,7 +60,8 @@ inline void keep(const T& value)
   asm volatile("" : : "r,m"(value) : "memory");
 }
 
-/// Makes the compiler forget what it knows of `value`, so that nothing can be computed from it ahead of time.
+/// Makes the compiler forget what it knows of `value`, so that nothing can be computed from it ahead of
+/// time.
 template <class T>
 inline void forget(T& value)
 {

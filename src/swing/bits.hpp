@@ -1,6 +1,6 @@
 /// @file
-/// Doubles as bits, and what else is always inlined: so no code made for one processor can be picked by the linker
-/// for another.
+/// Doubles as bits, and what else is always inlined: so no code made for one processor can be picked by the
+/// linker for another.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,9 @@
 /// @file
 /// The inner loops over arrays, compiled once for each instruction set and chosen when the program runs.
 ///
-/// All variants are made from one source (kernels.cpp and the folder kernels/) out of + − × ÷ and shifts of bits alone, without
-/// contraction, so that each gives the same bits; only how many numbers are worked on at once differs.
+/// All variants are made from one source (kernels.cpp and the folder kernels/) out of + − × ÷ and shifts of
+/// bits alone, without contraction, so that each gives the same bits; only how many numbers are worked on
+/// at once differs.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +33,8 @@ struct Frequency
   double reach = 0x1p50;  ///< as many half swings can be told apart
 };
 
-/// The motion prepared for asking: what Motion computes once. See motion.cpp for how, kernels/forms.hpp for what it
-/// is.
+/// The motion prepared for asking: what Motion computes once. See motion.cpp for how, kernels/forms.hpp for
+/// what it is.
 struct Prepared
 {
   Frequency frequency;  ///< of the half swings
@@ -78,14 +79,15 @@ enum Question : unsigned
   from_top   ///< the angle from the top, π − |Φ| in the first swing
 };
 
-/// A polynomial of degree 7 in the distance from its phase, counted in steps from one phase to the next. It fills
-/// one line of the cache.
+/// A polynomial of degree 7 in the distance from its phase, counted in steps from one phase to the next. It
+/// fills one line of the cache.
 struct alignas(64) Row
 {
   double c[8];  ///< the value at the phase, and the coefficients that follow
 };
 
-/// A motion's answers to one question: rows at equally spaced phases from the clock's start to a quarter period.
+/// A motion's answers to one question: rows at equally spaced phases from the clock's start to a quarter
+/// period.
 struct Rows
 {
   Frequency frequency;          ///< of the half swings

@@ -57,8 +57,8 @@ void set(Settings s)
 }
 #endif
 
-// As long as it lives, sums are rounded to the nearest double, and on x86 subnormal numbers kept; then what was
-// set before returns. Otherwise neither products nor whole half swings would be split exactly. What is
+// As long as it lives, sums are rounded to the nearest double, and on x86 subnormal numbers kept; then what
+// was set before returns. Otherwise neither products nor whole half swings would be split exactly. What is
 // computed under it stands in functions of its own, so that no compiler moves it out.
 class To_nearest
 {
@@ -80,8 +80,8 @@ private:
   Settings before_;
 };
 
-// Whether the setting is such already. It is faster to look what two sums are rounded to than to ask the processor;
-// flushed numbers do not count where none is as small as that.
+// Whether the setting is such already. It is faster to look what two sums are rounded to than to ask the
+// processor; flushed numbers do not count where none is as small as that.
 bool usual_setting()
 {
   double tiny = 0x1p-60;
@@ -179,9 +179,9 @@ double power(double q, unsigned n)
   return result;
 }
 
-// The polynomial with its first coefficient taken out, where the scale of the whole series' first coefficient
-// will take its place. The polynomial's lacks `next`: returns what the scale is to be corrected by, relative
-// to it.
+// The polynomial with its first coefficient taken out, where the scale of the whole series' first
+// coefficient will take its place. The polynomial's lacks `next`: returns what the scale is to be corrected
+// by, relative to it.
 double set_relative(double (&to)[kernels::series_terms], const Series& c, double next)
 {
   for(std::size_t j = 0; j < kernels::series_terms; ++j)
@@ -189,8 +189,8 @@ double set_relative(double (&to)[kernels::series_terms], const Series& c, double
   return -next / c[0];
 }
 
-// Swinging: Φ = 8√q Σ qⁿ/((2n+1)(1 + q²ⁿ⁺¹)) sin (2n+1)z, and its derivative with z counted from rest, where
-// the signs alternate; sin (2n+1)z = sin z fₙ with f₋₁ = −1 and, at z = 0, fₙ = 2n+1.
+// Swinging: Φ = 8√q Σ qⁿ/((2n+1)(1 + q²ⁿ⁺¹)) sin (2n+1)z, and its derivative with z counted from rest,
+// where the signs alternate; sin (2n+1)z = sin z fₙ with f₋₁ = −1 and, at z = 0, fₙ = 2n+1.
 void set_swinging(Prepared& p, double q, unsigned terms)
 {
   const auto velocity = [q](unsigned n) {
@@ -219,7 +219,7 @@ void set_revolving(Prepared& p, double q)
                    a(kernels::series_terms + 1));
 }
 
-// The cofactor of kernels.cpp, for the constants in front.
+// The cofactor of kernels/forms.hpp, for the constants in front.
 Twofold cofactor(double q, double x, double y)
 {
   const double three = 1 + x * (1 + x);
@@ -229,8 +229,8 @@ Twofold cofactor(double q, double x, double y)
   return sum_of(1, y * (three + y * q2 * (five + y * q2 * q2 * seven)));
 }
 
-// The dual nome of K/K' with the modulus k, its complement kc and M(1, kc). Returns the quotient of the theta
-// functions at the bottom, of which one factor is 1 − q' or 1 + q'.
+// The dual nome of K/K' with the modulus k, its complement kc and M(1, kc). Returns the quotient of the
+// theta functions at the bottom, of which one factor is 1 − q' or 1 + q'.
 Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold mean, double sign)
 {
   p.root_q = kc * dual.root_over_modulus;
@@ -293,9 +293,9 @@ Twofold set_dual(Prepared& p, const Nome& dual, Twofold k, double kc, Twofold me
   return kernels::barely;
 }
 
-// How many rows a quarter period has, if it takes the time `quarter` in the unit in which the poles of the motion
-// lie ½π or more from the real times: so many that a row's polynomial is exact to 2⁻⁵⁵ of the angle. None where they
-// would no longer fit into the nearest caches.
+// How many rows a quarter period has, if it takes the time `quarter` in the unit in which the poles of the
+// motion lie ½π or more from the real times: so many that a row's polynomial is exact to 2⁻⁵⁵ of the angle.
+// None where they would no longer fit into the nearest caches.
 std::size_t rows_in_quarter(double quarter)
 {
   constexpr double longest_step = 0.05;
@@ -332,8 +332,9 @@ struct Way
   Twofold length;
 };
 
-// The angles at the phases once more, as sums of the steps from each to the next: these are so small that their
-// roundings hardly count, and what they are wrong by in common goes out, for they must make up the whole way.
+// The angles at the phases once more, as sums of the steps from each to the next: these are so small that
+// their roundings hardly count, and what they are wrong by in common goes out, for they must make up the
+// whole way.
 void settle(std::vector<kernels::Row>& rows, std::size_t last, const Way& way)
 {
   const auto beyond = [](const kernels::Row& row, double distance) {
@@ -349,8 +350,9 @@ void settle(std::vector<kernels::Row>& rows, std::size_t last, const Way& way)
     rows[i].c[0] = (way.from + gone[i] * scale).hi;
 }
 
-// At each phase the question is answered from the beginning, with a half swing for the unit of time; the rest is the
-// equation of motion. Angles are odd about the lowest point and change their sign from half swing to half swing.
+// At each phase the question is answered from the beginning, with a half swing for the unit of time; the
+// rest is the equation of motion. Angles are odd about the lowest point and change their sign from half
+// swing to half swing.
 [[gnu::noinline]] std::unique_ptr<const Made> made(const Prepared& p, kernels::Course course,
                                                    kernels::Question asked, std::size_t in_quarter,
                                                    const Way& way)

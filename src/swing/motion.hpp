@@ -1,8 +1,8 @@
 /// @file
 /// Where the pendulum is, and how fast: the motion in closed form, for any energy.
 ///
-/// Units as in time.hpp: radians, and √(b/2g) for the time. A Motion is prepared once and then asked as often
-/// as wanted:
+/// Units as in time.hpp: radians, and √(b/2g) for the time. A Motion is prepared once and then asked as
+/// often as wanted:
 ///
 ///     Motion m(a);                 swinging with the amplitude a, at t = 0 upwards through the lowest point
 ///     Motion m(a, Start::rest);    the same, at t = 0 at rest at Φ = ζ
@@ -14,14 +14,16 @@
 /// Each is also there for arrays, many times faster. The time is first reduced to a fraction of the swing
 /// with a frequency of 107 bits, so that 10⁶ periods cost no digit.
 ///
-/// When a question is asked for the first time, the motion is tabulated for it: polynomials of degree 7 at 32 to 512
-/// phases of a quarter period, each in one line of the cache, which takes as long as some ten to two hundred
-/// answers computed from the beginning. From then on an answer is read from one of them. Nearer to the top than η =
-/// 6·10⁻¹¹ (and for excesses as small) the rows would be too many; there each answer is computed from the beginning,
-/// as it is with amplitudes below 2⁻⁴⁰⁰. Copies of a motion share the rows; several threads may ask at once.
+/// When a question is asked for the first time, the motion is tabulated for it: polynomials of degree 7 at
+/// 32 to 512 phases of a quarter period, each in one line of the cache, which takes as long as some ten to
+/// two hundred answers computed from the beginning. From then on an answer is read from one of them. Nearer
+/// to the top than η = 6·10⁻¹¹ (and for excesses as small) the rows would be too many; there each answer is
+/// computed from the beginning, as it is with amplitudes below 2⁻⁴⁰⁰. Copies of a motion share the rows;
+/// several threads may ask at once.
 ///
-/// All is computed in round to nearest and, on x86-64, with subnormal numbers, whatever is set; the caller's
-/// setting returns. So a motion of the same amplitude is the same to the last bit (tests/swing_environment.cpp).
+/// All is computed in round to nearest and, on x86-64, with subnormal numbers, whatever is set; the
+/// caller's setting returns. So a motion of the same amplitude is the same to the last bit
+/// (tests/swing_environment.cpp).
 #pragma once
 
 #include <cstddef>
@@ -55,15 +57,15 @@ public:
 
   // Errors as found by tests/swing_motion.cpp, within 100 periods and after 10⁶ alike, for any amplitude.
 
-  /// Φ at the time t. Worst error 1.1 · 2⁻⁵² ζ (of π, or of Φ itself, going round; 2 · 2⁻⁵² ζ where there are no rows), and
-  /// some of the last digits of Φ in the first instants. NaN for NaN and when |t| exceeds 2⁵⁰ half swings (10¹⁵⁰ for the motion that ends at
-  /// the top).
+  /// Φ at the time t. Worst error 1.1 · 2⁻⁵² ζ (of π, or of Φ itself, going round; 2 · 2⁻⁵² ζ where there
+  /// are no rows), and some of the last digits of Φ in the first instants. NaN for NaN and when |t| exceeds
+  /// 2⁵⁰ half swings (10¹⁵⁰ for the motion that ends at the top).
   double angle(double t) const;
   /// Φ' at the time t, NaN as angle(). Worst error 2½ · 2⁻⁵² of the greatest velocity.
   double velocity(double t) const;
-  /// The angle between the pendulum and the upper vertical at the time t, 0 … π; NaN as angle(). Worst error
-  /// 4 · 2⁻⁵² of itself: near the top it keeps its own digits, not only those of π. Of the motion that ends at
-  /// the top it is not told below 4e⁻⁷⁰⁰.
+  /// The angle between the pendulum and the upper vertical at the time t, 0 … π; NaN as angle(). Worst
+  /// error 4 · 2⁻⁵² of itself: near the top it keeps its own digits, not only those of π. Of the motion
+  /// that ends at the top it is not told below 4e⁻⁷⁰⁰.
   double angle_from_top(double t) const;
 
   /// Φ of an array of times, bit for bit as of one. Throws std::invalid_argument when the spans differ in

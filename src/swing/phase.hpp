@@ -1,6 +1,6 @@
 /// @file
-/// Where in its half swing a pendulum is, and what the rows of its motion say there: shared by the functions of one
-/// time and the loops over arrays, which so give the same bits.
+/// Where in its half swing a pendulum is, and what the rows of its motion say there: shared by the
+/// functions of one time and the loops over arrays, which so give the same bits.
 #pragma once
 
 #include <limits>

@@ -1,10 +1,10 @@
 /// @file
-/// How the generated tables are read: shared by the functions of one number and the loops over arrays, which
-/// so give the same bits.
+/// How the generated tables are read: shared by the functions of one number and the loops over arrays,
+/// which so give the same bits.
 ///
-/// A table has 64 rows for each doubling of its argument; the leading bits tell the row. It ends after eight
-/// doublings. Below, the function is a logarithm, whose mantissa has 64 rows too, and a short polynomial in a small
-/// quantity z: λ + z(p₀ + p₁z + … + λ(q₀ + q₁z + …)).
+/// A table has 64 rows for each doubling of its argument; the leading bits tell the row. It ends after
+/// eight doublings. Below, the function is a logarithm, whose mantissa has 64 rows too, and a short
+/// polynomial in a small quantity z: λ + z(p₀ + p₁z + … + λ(q₀ + q₁z + …)).
 #pragma once
 
 #include "swing/bits.hpp"
@@ -79,12 +79,23 @@ struct Ratio_by_eta
   SWING_INLINE static double small_of(double eta) { return square_of(eta); }
 };
 
+/// How far the bits of x lie beyond those of the table's start: of the numbers in the table at most
+/// `reach`, of all others more.
+template <class Table>
+SWING_INLINE std::uint64_t beyond_start(double x)
+{
+  return bits_of(x) - __builtin_bit_cast(std::uint64_t, Table::start);
+}
+/// Of the last number in the table.
+template <class Table>
+inline constexpr std::uint64_t reach = __builtin_bit_cast(std::uint64_t, Table::last)
+                                       - __builtin_bit_cast(std::uint64_t, Table::start);
+
 /// Where the row for x begins, x being in the table.
 template <class Table>
 SWING_INLINE std::uint64_t row_of(double x)
 {
-  constexpr std::uint64_t before = (__builtin_bit_cast(std::uint64_t, Table::start) >> 46) - Table::first;
-  return ((bits_of(x) >> 46) - before) * tables::row_length;
+  return ((beyond_start<Table>(x) >> 46) + Table::first) * tables::row_length;
 }
 
 /// Where the row of the logarithm begins.
@@ -142,8 +153,9 @@ SWING_INLINE Number series(const double (&c)[n], Number z)
   return sum;
 }
 
-/// The value below the table, without its scale, from the logarithm of the mantissa; and the value in the table from
-/// its own, with no halvings and z = 0. Where the logarithm is read, the first two products and sums are exact.
+/// The value below the table, without its scale, from the logarithm of the mantissa; and the value in the
+/// table from its own, with no halvings and z = 0. Where the logarithm is read, the first two products and
+/// sums are exact.
 template <class Table, class Number>
 SWING_INLINE Sum<Number> with_halvings(Number centre, Number beyond, Number halvings, Number z)
 {

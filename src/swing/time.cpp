@@ -60,7 +60,7 @@ double out_of_domain(double x)
 template <class Table, class Argument>
 SWING_INLINE double rounded_value(Argument a)
 {
-  if(a.x >= Table::start && a.x <= Table::last)
+  if(rows::beyond_start<Table>(a.x) <= rows::reach<Table>) [[likely]]
   {
     const rows::Sum<double> sum = looked_up<Table>(a);
     return sum.main + sum.rest;
@@ -199,7 +199,7 @@ double agm(double a, double b)
 
 double K(double k)
 {
-  return rounded_value<rows::K_by_modulus>(Exact{1 - std::abs(k)});
+  return rounded_value<rows::K_by_modulus>(Exact{1 - bits::magnitude(k)});
 }
 
 double K_from_complement(double kc)
@@ -279,9 +279,9 @@ void ratio_from_top(std::span<const double> eta, std::span<double> out)
   kernels::best().ratio_from_top(eta.data(), out.data(), eta.size());
 }
 
-// With z = sin ½Φ the time is the integral of dz/√((1 − z²)(k² − z²)); k² − z² is a product of two sines. The
-// smallest swings all take the same time to the same part of their amplitude, and the first part of any swing goes
-// uniformly.
+// With z = sin ½Φ the time is the integral of dz/√((1 − z²)(k² − z²)); k² − z² is a product of two sines.
+// The smallest swings all take the same time to the same part of their amplitude, and the first part of any
+// swing goes uniformly.
 double time_from_bottom(double phi, Amplitude a)
 {
   const double up = std::abs(phi);
@@ -306,8 +306,9 @@ double time_from_rest(double psi, double eta)
   return psi <= pi_hi ? time_from_rest_past(psi - eta, eta) : nan;
 }
 
-// With ω = ½ψ, α = ½η the time is the integral of dω/√(sin² ω − sin² α) from α. Where sin² α is too small to
-// matter beside 1 it is the logarithm of tan ½ω (1 + √(1 − sin² α/sin² ω)) / tan ½α, and nothing underflows.
+// With ω = ½ψ, α = ½η the time is the integral of dω/√(sin² ω − sin² α) from α. Where sin² α is too small
+// to matter beside 1 it is the logarithm of tan ½ω (1 + √(1 − sin² α/sin² ω)) / tan ½α, and nothing
+// underflows.
 double time_from_rest_past(double past, double eta)
 {
   const double psi = eta + past;

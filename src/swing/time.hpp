@@ -3,8 +3,9 @@
 ///
 /// The angle Φ is measured from the lowest point, ζ is its greatest value, η = π − ζ what is missing to the
 /// top, both in radians. T is the time of one swing from one side to the other (half of today's period), Θ
-/// the same for very small arcs, and the unit of time is √(b/2g), b being the length of the equivalent simple
-/// pendulum and 2g the acceleration of gravity; in it Θ = π and the equation of motion is Φ'' = −sin Φ.
+/// the same for very small arcs, and the unit of time is √(b/2g), b being the length of the equivalent
+/// simple pendulum and 2g the acceleration of gravity; in it Θ = π and the equation of motion is Φ'' = −sin
+/// Φ.
 ///
 ///     K(k)                       quarter of a whole period, k = sin ½ζ           K(1) = +∞
 ///     K_from_complement(kc)      the same, kc = cos ½ζ = sin ½η                  K_from_complement(0) = +∞
@@ -64,10 +65,10 @@ struct Amplitude
 // (ulp): hundreds of thousands of arguments in every range, the edges of all tables and intervals included.
 // tests/swing_time.cpp holds them.
 //
-// They are those of round to nearest. In the other modes of fesetround what is read from tables (K and T/Θ in all
-// their forms) errs by 1.1 ulp and everything else by twice as much as stated. Where the processor is told to
-// flush subnormal numbers, a subnormal kc or η is zero; nothing else is lost. tests/swing_environment.cpp holds
-// this.
+// They are those of round to nearest. In the other modes of fesetround what is read from tables (K and T/Θ
+// in all their forms) errs by 1.1 ulp and everything else by twice as much as stated. Where the processor
+// is told to flush subnormal numbers, a subnormal kc or η is zero; nothing else is lost.
+// tests/swing_environment.cpp holds this.
 
 /// The complete elliptic integral of the first kind K(k) of the modulus k, |k| ≤ 1. K(±1) = +∞; NaN outside
 /// and for NaN. Worst error 0.61 ulp, for every k up to 1 − 2⁻⁵³.
@@ -80,8 +81,8 @@ double K_from_complement(double kc);
 /// The time from the lowest point to rest, in units √(b/2g); +∞ for η = 0. Worst error 0.8 ulp.
 double quarter_time(Amplitude a);
 
-/// The same from η = π − ζ, 0 ≤ η ≤ π, down to the smallest double. NaN outside and for NaN. Worst error 0.53
-/// ulp.
+/// The same from η = π − ζ, 0 ≤ η ≤ π, down to the smallest double. NaN outside and for NaN. Worst error
+/// 0.53 ulp.
 double quarter_time_from_top(double eta);
 
 /// T/Θ, the time of a swing over that of a very small one; +∞ for η = 0. Worst error 0.7 ulp.
@@ -110,9 +111,9 @@ double time_from_rest(double psi, double eta);
 /// digits. Worst error 6 ulp.
 double time_from_rest_past(double past, double eta);
 
-/// K of an array of moduli, with the widest registers that the processor has; on all of them the same bits as
-/// for one number, for the ends and NaN too. Throws std::invalid_argument when the spans differ in length,
-/// never for a value. The spans may be the same, or not overlap.
+/// K of an array of moduli, with the widest registers that the processor has; on all of them the same bits
+/// as for one number, for the ends and NaN too. Throws std::invalid_argument when the spans differ in
+/// length, never for a value. The spans may be the same, or not overlap.
 void K(std::span<const double> k, std::span<double> out);
 
 /// K_from_complement of an array, the same.

@@ -1,6 +1,7 @@
 /// @file
 /// bench-swing: the swing's time and motion, ours and the usual libraries' side by side, speed and error in
 /// one row.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -11,6 +12,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cold.hpp"
+#include "libraries.hpp"
 #include "race/race.hpp"
 #include "scenes.hpp"
 #include "swing/kernels.hpp"
@@ -47,25 +50,35 @@ Json errors_of(const bench::Scene& scene, const bench::Method& method)
   return row;
 }
 
-// The peer first: the race divides by its time.
+// The peer first: its time is what the others' are divided by.
+std::vector<const bench::Method*> peer_first(const bench::Scene& scene)
+{
+  std::vector<const bench::Method*> methods;
+  for(const bench::Method& method : scene.methods)
+    methods.push_back(&method);
+  std::stable_partition(methods.begin(), methods.end(),
+                        [&](const bench::Method* m) { return m->name == scene.peer; });
+  return methods;
+}
+
 std::vector<race::Timing> race_of(const bench::Scene& scene, race::Options options)
 {
+  if(scene.cold)
+  {
+    std::vector<bench::cold::Entrant> entrants;
+    for(const bench::Method* method : peer_first(scene))
+      entrants.push_back({method->name, method->one});
+    return bench::cold::run(entrants, scene.in, options.rounds);
+  }
   std::vector<race::Entrant> entrants;
   std::vector<double> out(scene.in.size());
-  const auto enter = [&](const bench::Method& method) {
-    entrants.push_back({method.name,
-                        [&scene, &method, &out] {
-                          method.run(scene.in, out);
+  for(const bench::Method* method : peer_first(scene))
+    entrants.push_back({method->name,
+                        [&scene, method, &out] {
+                          method->run(scene.in, out);
                           race::keep(out.front());
                         },
                         scene.in.size()});
-  };
-  for(const bench::Method& method : scene.methods)
-    if(method.name == scene.peer)
-      enter(method);
-  for(const bench::Method& method : scene.methods)
-    if(method.name != scene.peer)
-      enter(method);
   return race::run(entrants, options);
 }
 
@@ -156,6 +169,10 @@ int main(int argc, char** argv)
   json["tiers"] = Json::array();
   for(std::size_t v = 0; v < swing::kernels::count(); ++v)
     json["tiers"].push_back(swing::kernels::variant(v).name);
+  json["left_out"] = bench::libraries::left_out();
+  if(!as_json)
+    for(const std::string& name : bench::libraries::left_out())
+      fmt::print("Left out, for it is not installed: {}\n", name);
   json["scenes"] = Json::array();
   for(const bench::Scene& scene : bench::all_scenes())
   {

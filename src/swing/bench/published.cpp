@@ -26,9 +26,6 @@ double quotient(const Small_quotient& q, double x)
   return polynomial(q.above, x - q.middle) / polynomial(q.below, x - q.middle);
 }
 
-// The largest argument of the series: what it leaves out is then 2⁻⁵⁵ of its first term.
-constexpr double shortest = 0.05;
-
 }  // namespace
 
 double K_in_one_piece(double m1, double logarithm)
@@ -88,29 +85,37 @@ double K_by_quotients(double m1)
   return -std::log(m1 / 16) * quotient(small_quotients[0], m1) - m1 * quotient(small_quotients[1], m1);
 }
 
-// cn = 1 − u²/2! + (1 + 4m) u⁴/4! − (1 + 44m + 16m²) u⁶/6! + …
+// cn = 1 − u²/2! + (1 + 4m) u⁴/4! − (1 + 44m + 16m²) u⁶/6! + …; what five terms leave out below 0.05 is
+// less than 2⁻⁵⁵ of the first.
 Doubling::Doubling(double k, double kc, double K)
-    : k_(k), kc_(kc), mc_(kc * kc), m_(k * k),
-      K_(K), series_{1.0 / 2, -(1 + 4 * m_) / 24, (1 + m_ * (44 + 16 * m_)) / 720,
-                     -(1 + m_ * (408 + m_ * (912 + 64 * m_))) / 40320,
-                     (1 + m_ * (3688 + m_ * (30768 + m_ * (15808 + 256 * m_)))) / 3628800}
+    : kc_(kc), mc_(kc * kc), m_(k * k), K_(K),
+      shortest_(0.05), series_{1.0 / 2, -(1 + 4 * m_) / 24, (1 + m_ * (44 + 16 * m_)) / 720,
+                               -(1 + m_ * (408 + m_ * (912 + 64 * m_))) / 40320,
+                               (1 + m_ * (3688 + m_ * (30768 + m_ * (15808 + 256 * m_)))) / 3628800}
 {
 }
 
-double Doubling::angle(double t) const
+Doubling Doubling::as_published(double k, double kc)
 {
-  const double halves = std::floor(std::fabs(t) / (2 * K_) + 0.5);
-  const double signed_u = std::fabs(t) - halves * (2 * K_);
-  const bool down = (static_cast<long long>(halves) % 2 != 0) != ((signed_u < 0) != (t < 0));
-  const double whole = std::fabs(signed_u);
-  const bool beyond = whole > K_ / 2;
-  const double u = beyond ? K_ - whole : whole;
+  Doubling d(k, kc, K_by_quotients(kc * kc));
+  d.shortest_ = 5.217e-3 - 2.143e-3 * d.m_;
+  d.series_[3] = 0;
+  d.series_[4] = 0;
+  return d;
+}
 
-  double short_u = u;
+Doubling::Functions Doubling::operator()(double t) const
+{
+  const double half_periods = std::floor(std::fabs(t) / (2 * K_) + 0.5);
+  const double left = std::fabs(t) - half_periods * (2 * K_);
+  const bool odd = static_cast<long long>(half_periods) % 2 != 0;
+  const double whole = std::fabs(left);
+  const bool beyond = whole > K_ / 2;
+  double u = beyond ? K_ - whole : whole;
   int n = 0;
-  for(; short_u > shortest; ++n)
-    short_u *= 0.5;
-  double b = short_u * short_u * polynomial(series_, short_u * short_u);
+  for(; u > shortest_; ++n)
+    u *= 0.5;
+  double b = u * u * polynomial(series_, u * u);
   double c = 0;
   bool by_cosine = false;
   for(; n > 0; --n)
@@ -131,13 +136,19 @@ double Doubling::angle(double t) const
       b = 2 * y * (1 - m_ * y) / (1 - m_ * y * y);
     }
   }
-  const double sine2 = by_cosine ? (1 - c) * (1 + c) : b * (2 - b);
   const double cosine = by_cosine ? c : 1 - b;
-  const double sn = std::sqrt(sine2);
-  const double dn = by_cosine ? std::sqrt(mc_ + m_ * cosine * cosine) : std::sqrt(1 - m_ * sine2);
-  // sn and dn of K − u are cn/dn and kc/dn.
-  const double angle = 2 * (beyond ? std::atan2(k_ * cosine, kc_) : std::atan2(k_ * sn, dn));
-  return down ? -angle : angle;
+  const double sine2 = by_cosine ? (1 - c) * (1 + c) : b * (2 - b);
+  const double sine = std::sqrt(sine2);
+  const double delta = std::sqrt(by_cosine ? mc_ + m_ * cosine * cosine : 1 - m_ * sine2);
+  // Of K − u they are cn/dn, kc sn/dn and kc/dn.
+  Functions f{sine, cosine, delta};
+  if(beyond)
+    f = {cosine / delta, kc_ * sine / delta, kc_ / delta};
+  if(odd != ((left < 0) != (t < 0)))
+    f.sn = -f.sn;
+  if(odd)
+    f.cn = -f.cn;
+  return f;
 }
 
 }  // namespace bench::published

@@ -18,7 +18,8 @@ struct Method
   std::string name;  ///< as it stands in the table
   std::string kind;  ///< "ours", "peer", "Euler" or "classic"
   std::function<void(std::span<const double> in, std::span<double> out)>
-      run;  ///< NaN where the method fails
+      run;                              ///< NaN where the method fails
+  std::function<double(double)> one{};  ///< the same of one number; none of methods that work on arrays
 };
 
 /// One quantity, its arguments, and all the ways to it.
@@ -32,6 +33,7 @@ struct Scene
   std::vector<exact::Fifty> exact;  ///< of as many of the first arguments as are judged
   double place = 0;             ///< the unit of the error where it is not the last place: 2⁻⁵² of this
   std::vector<Method> methods;  ///< the ways to it
+  bool cold = false;            ///< whether each call is timed alone, after much memory was touched
 };
 
 /// How a method did: errors in the scene's unit, over the arguments that it did not fail at.

@@ -61,7 +61,8 @@ Fifty error_at(const Sample& sample, const std::vector<Fifty>& c)
   return rest;
 }
 
-// Where the error is largest between two changes of its sign; then the smaller ones at the ends are dropped.
+// Where the error is largest between two changes of its sign; then the smaller ones at the ends are
+// dropped.
 std::vector<std::size_t> extremes(const std::vector<Fifty>& errors, std::size_t wanted)
 {
   std::vector<std::size_t> found{0};

@@ -41,8 +41,8 @@ struct Quotient
   std::vector<Fifty> below;  ///< those of the denominator, the first being 1
 };
 
-/// The quotient of polynomials of degree n that agrees with f at 2n + 1 of Tchebychef's points of the interval from a
-/// to b: very nearly the best there. Both are polynomials in x − ½(a + b).
+/// The quotient of polynomials of degree n that agrees with f at 2n + 1 of Tchebychef's points of the
+/// interval from a to b: very nearly the best there. Both are polynomials in x − ½(a + b).
 Quotient rational(const std::function<Fifty(const Fifty&)>& f, int n, const Fifty& a, const Fifty& b);
 
 /// The value of the polynomial c₀ + c₁x + …

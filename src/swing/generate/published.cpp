@@ -1,7 +1,7 @@
 /// @file
-/// Writes swing_published.hpp: the coefficients of published methods for K, which the benchmark sets beside the
-/// edition's own. The methods are the authors'; the coefficients are found here, with fifty digits, so that each
-/// does its best. Usage: swing-published FILE
+/// Writes swing_published.hpp: the coefficients of published methods for K, which the benchmark sets beside
+/// the edition's own. The methods are the authors'; the coefficients are found here, with fifty digits, so
+/// that each does its best. Usage: swing-published FILE
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -37,8 +37,9 @@ Fifty factor(const Fifty& m1)
   return Fifty(2) / exact::pi() * oracle::K(sqrt(m1));
 }
 
-// As in Cephes, after Hastings and Cody: K = P(m₁) − ln m₁ Q(m₁) for all m₁ from 0 to 1, both of degree 10. The first
-// coefficients are what they must be, ln 4 and ½; the others make the largest relative error the smallest.
+// As in Cephes, after Hastings and Cody: K = P(m₁) − ln m₁ Q(m₁) for all m₁ from 0 to 1, both of degree 10.
+// The first coefficients are what they must be, ln 4 and ½; the others make the largest relative error the
+// smallest.
 void write_one_piece()
 {
   constexpr int degree = 10;
@@ -70,8 +71,8 @@ void write_one_piece()
   write_array(out, "one_piece_with_log", "Q", rounded(with_log));
 }
 
-// As Fukushima's of 2009: polynomials about the middles of ten intervals of m up to 0.9, of the degrees that they
-// need; beyond, the nome of m₁ and K of m₁.
+// As Fukushima's of 2009: polynomials about the middles of ten intervals of m up to 0.9, of the degrees
+// that they need; beyond, the nome of m₁ and K of m₁.
 void write_polynomials()
 {
   std::vector<std::vector<double>> pieces;
@@ -113,8 +114,8 @@ void write_polynomials()
               nome);
 }
 
-// As Fukushima's of 2015: quotients of polynomials of degree 5 on nine intervals of m₁ which shrink by the same ratio;
-// below, the logarithm and two quotients of degree 2.
+// As Fukushima's of 2015: quotients of polynomials of degree 5 on nine intervals of m₁ which shrink by the
+// same ratio; below, the logarithm and two quotients of degree 2.
 void write_quotients()
 {
   constexpr int pieces = 9;

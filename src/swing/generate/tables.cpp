@@ -1,8 +1,8 @@
 /// @file
 /// Writes swing_tables.hpp: the polynomials and tables on which the swing's fast functions stand.
 ///
-/// The whole of them is made here, with fifty digits, each time the edition is built. Every piece is written
-/// with its method, its interval, its degree, and the largest error found. Usage: swing-tables FILE
+/// The whole of them is made here, with fifty digits, each time the edition is built. Every piece is
+/// written with its method, its interval, its degree, and the largest error found. Usage: swing-tables FILE
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -138,8 +138,8 @@ Row make_row(const Function& f, const Fifty& a, const Fifty& b, double centre, d
   return row;
 }
 
-// The centre is moved about the middle of the interval until the function there is very nearly a double: then
-// its value needs no second word.
+// The centre is moved about the middle of the interval until the function there is very nearly a double:
+// then its value needs no second word.
 Row make_row(const Function& f, const Fifty& a, const Fifty& b)
 {
   const std::vector<Fifty> nodes = generate::tchebychef_points(11, a, b);
@@ -173,8 +173,9 @@ Row make_row(const Function& f, const Fifty& a, const Fifty& b)
                   best_value);
 }
 
-// Of scale·ln(1/x): the value is a multiple of 2⁻⁴², so that its sum with a multiple of the doubling's is exact, to
-// 2⁻⁶¹. Neighbouring multiples would all be missed alike, for the middle of a row is a short fraction.
+// Of scale·ln(1/x): the value is a multiple of 2⁻⁴², so that its sum with a multiple of the doubling's is
+// exact, to 2⁻⁶¹. Neighbouring multiples would all be missed alike, for the middle of a row is a short
+// fraction.
 Row make_logarithm_row(const Fifty& scale, const Fifty& a, const Fifty& b)
 {
   const auto f = [&](const Fifty& x) { return -scale * log(x); };
@@ -215,7 +216,8 @@ struct Rows
   }
 };
 
-// Sixty-four rows for each doubling of x from 2^lowest on, until `last` is in a row. Writes where they begin.
+// Sixty-four rows for each doubling of x from 2^lowest on, until `last` is in a row. Writes where they
+// begin.
 void add_table(Rows& rows, const std::string& name, const std::string& what, int lowest, double last,
                const Function& f)
 {
@@ -249,12 +251,12 @@ void write_rows(const std::string& name, const Rows& rows)
       "\n// All of them, and before them 64 rows of the logarithm of 1/x for x from 1 to 2. They are\n"
       "// interpolated to degree %d about a centre where the value is a double to 1/128 ulp; largest\n"
       "// error, relative where the function exceeds 1, %s\n"
-      "alignas(64) inline constexpr double %s_rows[] = {\n%s};\n",
+      "alignas(64) [[gnu::visibility(\"hidden\")]] inline constexpr double %s_rows[] = {\n%s};\n",
       degree, bits(Fifty(rows.error)).c_str(), name.c_str(), rows.text.c_str());
 }
 
-// Below the table f = λ + z(p₀ + p₁z + … + λ(q₀ + q₁z + …)), where λ is a logarithm and q a power series of z
-// whose value is known: it is interpolated, and what is left approximated by p.
+// Below the table f = λ + z(p₀ + p₁z + … + λ(q₀ + q₁z + …)), where λ is a logarithm and q a power series of
+// z whose value is known: it is interpolated, and what is left approximated by p.
 void write_below(const std::string& name, const std::string& what, int terms, int log_terms,
                  const Fifty& last, const Function& f, const Function& log_of, const Function& small_of,
                  const Function& factor)
@@ -327,9 +329,9 @@ void write_tables()
       [=](const Fifty& eta) { return two_over_pi * oracle::K(sin(eta * half)); });
 }
 
-// d⁸ and d⁹ for |d| ≤ ½ by polynomials of degree 6 and 7 that vanish at 0. In x = 2d it is the interpolation at the
-// zeros of Tchebychef's polynomials: of y = x² that of degree 4, on an interval just so long that its lowest zero
-// is at 0; and of x that of degree 9.
+// d⁸ and d⁹ for |d| ≤ ½ by polynomials of degree 6 and 7 that vanish at 0. In x = 2d it is the
+// interpolation at the zeros of Tchebychef's polynomials: of y = x² that of degree 4, on an interval just
+// so long that its lowest zero is at 0; and of x that of degree 9.
 void write_powers()
 {
   const Fifty pi = exact::pi();

@@ -1,8 +1,8 @@
 /// @file
 /// The motion computed from the beginning for each time: by series, or by theta functions of the dual nome.
 ///
-/// Part of kernels.cpp; see wide.hpp. What is computed for one time is free of branches: the compiler works on many
-/// at once.
+/// Part of kernels.cpp; see wide.hpp. What is computed for one time is free of branches: the compiler works
+/// on many at once.
 #pragma once
 
 #include <limits>
@@ -119,8 +119,8 @@ struct Fast
   }
 };
 
-// The dual nome: with v = −r ln q', the powers of g = e⁻ᵛ and h = √q'/g are what the theta functions are made
-// of. Neither exceeds 1. Their squares are G and H.
+// The dual nome: with v = −r ln q', the powers of g = e⁻ᵛ and h = √q'/g are what the theta functions are
+// made of. Neither exceeds 1. Their squares are G and H.
 struct Theta
 {
   double g;
@@ -156,9 +156,9 @@ SWING_INLINE Theta theta_from_bottom(const Prepared& p, Part r)
   return {e.value, h, -e.minus_one * (2 + e.minus_one), (1 - h) * (1 + h)};
 }
 
-// What remains of a theta function when its first factor, 1 ± G or 1 ± H, is taken out, is 1 and this:
-// y (1 + x + x²) + q² y² (1 + x + … + x⁴) + q⁶ y³ (1 + x + … + x⁶). In the last term, which is less than q⁹,
-// x⁵ and x⁶ no longer count; and with q' < 2⁻¹⁴ the first term suffices.
+// What remains of a theta function when its first factor, 1 ± G or 1 ± H, is taken out, is 1 and this: y (1
+// + x + x²) + q² y² (1 + x + … + x⁴) + q⁶ y³ (1 + x + … + x⁶). In the last term, which is less than q⁹, x⁵
+// and x⁶ no longer count; and with q' < 2⁻¹⁴ the first term suffices.
 template <int terms>
 SWING_INLINE double beyond_one(const Prepared& p, double x, double y)
 {
@@ -255,7 +255,8 @@ struct Phase
   std::uint64_t sign;  // of what is asked
 };
 
-// Started at rest, what is left and what is gone change their places. Going round, a half swing is a whole turn.
+// Started at rest, what is left and what is gone change their places. Going round, a half swing is a whole
+// turn.
 template <From from, Question asked>
 SWING_INLINE Phase phase_of(const Prepared& p, double t)
 {

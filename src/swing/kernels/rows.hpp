@@ -29,8 +29,8 @@ SWING_INLINE Wide sine_of_half_turns(Wide x)
 // The highest power that is computed; rows have two less.
 constexpr unsigned highest = 9;
 
-// A polynomial of degree 9 brought down to 7: d⁸ and d⁹ are replaced by the polynomials that differ least from them
-// for |d| ≤ ½ and vanish at 0.
+// A polynomial of degree 9 brought down to 7: d⁸ and d⁹ are replaced by the polynomials that differ least
+// from them for |d| ≤ ½ and vanish at 0.
 SWING_INLINE void bring_down(Wide* c)
 {
   for(unsigned j = 0; j < 3; ++j)
@@ -39,8 +39,8 @@ SWING_INLINE void bring_down(Wide* c)
     c[1 + 2 * j] += tables::ninth_power[j] * c[9];
 }
 
-// With Σ aₙdⁿ for the angle, Σ Sₙdⁿ for its sine and Σ Cₙdⁿ for its cosine, and bₙ = (n + 1)aₙ₊₁, the equation of
-// motion and the derivatives of sine and cosine give each next coefficient.
+// With Σ aₙdⁿ for the angle, Σ Sₙdⁿ for its sine and Σ Cₙdⁿ for its cosine, and bₙ = (n + 1)aₙ₊₁, the
+// equation of motion and the derivatives of sine and cosine give each next coefficient.
 template <bool of_velocity>
 void make_rows(const Centres& centres, Row* rows)
 {

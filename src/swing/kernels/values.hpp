@@ -74,6 +74,15 @@ SWING_INLINE void find_rows_below(Arguments& a, std::size_t size)
   }
 }
 
+// Whether one of the next `width` numbers is not zero.
+SWING_INLINE bool any(const double* x)
+{
+  bool found = false;
+  for(unsigned i = 0; i < width; ++i)
+    found |= x[i] != 0;
+  return found;
+}
+
 // The values by their rows, as many at once as a register holds.
 template <class Kernel, bool some_below>
 SWING_INLINE void read_rows(const Arguments& a, double* out, std::size_t size)
@@ -92,12 +101,13 @@ SWING_INLINE void read_rows(const Arguments& a, double* out, std::size_t size)
     rows::Sum<Wide> sum{c[1], rows::beyond_centre(c, t)};
     Wide scale = Wide{} + 1.0;
     if constexpr(some_below)
-    {
-      const Wide halvings = load(a.halvings + i);
-      sum = rows::with_halvings<Table>(sum.main, sum.rest, halvings, load(a.z + i));
-      if constexpr(Table::scale != 1)
-        scale = halvings != 0.0 ? Wide{} + Table::scale : scale;
-    }
+      if(any(a.halvings + i))
+      {
+        const Wide halvings = load(a.halvings + i);
+        sum = rows::with_halvings<Table>(sum.main, sum.rest, halvings, load(a.z + i));
+        if constexpr(Table::scale != 1)
+          scale = halvings != 0.0 ? Wide{} + Table::scale : scale;
+      }
     const Wide outside = given == 0.0 ? Wide{} + inf : Wide{} + nan;
     const Wide value = ((given > 0.0) & (given <= Table::last)) ? (sum.main + sum.rest) * scale : outside;
     if(size - i >= width)

@@ -1,8 +1,8 @@
 /// @file
 /// As many numbers at once as a register holds.
 ///
-/// Part of kernels.cpp, and compiled with it once for each instruction set: like all of this folder it has internal
-/// linkage, and takes nothing inline from a library.
+/// Part of kernels.cpp, and compiled with it once for each instruction set: like all of this folder it has
+/// internal linkage, and takes nothing inline from a library.
 #pragma once
 
 #include <cstddef>
@@ -77,8 +77,8 @@ SWING_INLINE void transpose(Wide* row)
 // So many numbers has a row of any table: one line of the cache.
 constexpr unsigned row_length = 8;
 
-// The numbers j of the next `width` rows as column[j], each row beginning where `row` says. This is much faster
-// than to gather them one by one.
+// The numbers j of the next `width` rows as column[j], each row beginning where `row` says. This is much
+// faster than to gather them one by one.
 SWING_INLINE void read_columns(const double* table, const std::uint64_t* row, Wide* column)
 {
 #pragma GCC unroll 8
