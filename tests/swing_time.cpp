@@ -404,8 +404,9 @@ TEST_CASE("at the ends of the doubles: the mean, and the times of the smallest s
                             {smallest, 1.0},
                             {1.0, smallest}})
   {
-    CAPTURE(a);
-    CAPTURE(b);
+    const double at[] = {a, b};  // clang 14 captures no bindings
+    CAPTURE(at[0]);
+    CAPTURE(at[1]);
     // Of subnormal numbers the last step is half of the smallest double.
     const double allowed = a < 1e-307 && b < 1e-307 ? 0.5 + 1e-9 : 5;
     CHECK(exact::ulps(swing::agm(a, b), oracle::agm(a, b)) <= allowed);
@@ -426,8 +427,9 @@ TEST_CASE("at the ends of the doubles: the mean, and the times of the smallest s
                                  {1e-320, 2.0},
                                  {1e-310, 1e-300}})
   {
-    CAPTURE(past);
-    CAPTURE(eta);
+    const double at[] = {past, eta};  // clang 14 captures no bindings
+    CAPTURE(at[0]);
+    CAPTURE(at[1]);
     CHECK(exact::ulps(swing::time_from_rest_past(past, eta), oracle::time_from_rest_past(past, eta)) <= 6);
   }
   CHECK(exact::ulps(swing::time_from_rest(2 * smallest, smallest),
@@ -444,8 +446,9 @@ TEST_CASE("at the ends of the doubles: the mean, and the times of the smallest s
                                  {1e-290, 1e-280},
                                  {1e-300, 1e-100}})
   {
-    CAPTURE(phi);
-    CAPTURE(zeta);
+    const double at[] = {phi, zeta};  // clang 14 captures no bindings
+    CAPTURE(at[0]);
+    CAPTURE(at[1]);
     // The smallest swings take the arc whose sine is Φ/ζ.
     const Fifty exact = zeta < 1e-50 ? asin(Fifty(phi) / Fifty(zeta))
                                      : oracle::time_from_bottom(phi, exact::pi() - Fifty(zeta));

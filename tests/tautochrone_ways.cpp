@@ -14,7 +14,6 @@
 using namespace exact;
 using namespace tautochrone;
 using edition::between;
-using edition::within_relative;
 
 namespace
 {

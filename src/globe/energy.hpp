@@ -44,7 +44,7 @@ void require(const Energy<Real>& e)
 template <class Real>
 Energy<Real> energy(const Real& h)
 {
-  const Energy<Real> e{h, 1 - h};
+  Energy<Real> e{h, 1 - h};
   require(e);
   return e;
 }
@@ -53,7 +53,7 @@ Energy<Real> energy(const Real& h)
 template <class Real>
 Energy<Real> energy_from_top(const Real& below)
 {
-  const Energy<Real> e{1 - below, below};
+  Energy<Real> e{1 - below, below};
   require(e);
   return e;
 }
@@ -64,7 +64,7 @@ Energy<Real> energy_of_amplitude(const Real& Phi)
 {
   using std::cos, std::sin;
   const Real s = sin(Phi / 2), c = cos(Phi / 2);
-  const Energy<Real> e{s * s, c * c};
+  Energy<Real> e{s * s, c * c};
   require(e);
   return e;
 }
@@ -87,7 +87,7 @@ Energy<Real> energy_of_velocity(const Real& c, const Real& kk, const Real& g, co
     throw std::domain_error("the energy of a velocity needs c, the moment of inertia and g positive");
   using exact::Fifty;
   const Fifty h = Fifty(zeta) * Fifty(zeta) * Fifty(kk) / (8 * Fifty(g) * Fifty(c));
-  const Energy<Real> e{static_cast<Real>(h), static_cast<Real>(1 - h)};
+  Energy<Real> e{static_cast<Real>(h), static_cast<Real>(1 - h)};
   require(e);
   return e;
 }
@@ -120,7 +120,7 @@ template <class Real>
 Place<Real> place(const Real& Phi)
 {
   using std::cos, std::sin;
-  const Place<Real> p{sin(Phi / 2), cos(Phi / 2)};
+  Place<Real> p{sin(Phi / 2), cos(Phi / 2)};
   if(!(Phi >= 0 && p.c >= 0))
     throw std::domain_error("the angle must lie between 0 and half a turn");
   return p;

@@ -130,7 +130,7 @@ Scene motion(const std::string& name, const std::string& quantity, const Moment<
   const auto exact =
       row(collocation::Motion<Fixed>(example, start, {1e-22, 0.05}, balance::systems::best().fixed).to(t));
   const auto add = [&](const std::string& way, double tolerance, const std::string& kind,
-                       std::function<State()> run) {
+                       const std::function<State()>& run) {
     const State y = run();
     const State first = row(start);
     const double energy = energy_of(example, y) / energy_of(example, first) - 1;
