@@ -3,7 +3,7 @@
 // book/systems.
 import fs from 'node:fs';
 import path from 'node:path';
-import { table, tableEnd } from './cards.mjs';
+import { table, tableEnd } from './claims.mjs';
 import { asText, format } from './numbers.mjs';
 import { escape } from './prose.mjs';
 
@@ -22,7 +22,8 @@ const all = (book) =>
 
 // A decimal number times 10⁴⁰, exactly.
 function scaled(text) {
-  const [, sign, whole, , fraction = '', exponent = '0'] = /^([-+]?)(\d+)(\.(\d*))?(?:[eE]([-+]?\d+))?$/.exec(text);
+  const parts = /^([-+]?)(\d+)(?:\.(\d*))?(?:[eE]([-+]?\d+))?$/.exec(text);
+  const [, sign, whole, fraction = '', exponent = '0'] = parts;
   const zeros = 40 + Number(exponent) - fraction.length;
   const digits = BigInt(whole + fraction);
   return (sign === '-' ? -1n : 1n) * (zeros < 0 ? digits / 10n ** BigInt(-zeros) : digits * 10n ** BigInt(zeros));
@@ -101,7 +102,15 @@ export function conventions(book) {
       words(turns(s)),
     ]),
   );
-  const heads = ['system', 'K is', 'its argument', 'says at the top', 'at the argument 1½', 'third kind has', 'turns of am'];
+  const heads = [
+    'system',
+    'K is',
+    'its argument',
+    'says at the top',
+    'at the argument 1½',
+    'third kind has',
+    'turns of am',
+  ];
   return `${table('Conventions of other systems', heads)}${rows.join('')}${tableEnd}`;
 }
 
@@ -121,7 +130,7 @@ export function errors(book, of) {
         ]),
       ),
   );
-  const heads = ['system', 'asked', '1° <span class="unit">ulp</span>', '10⁻⁴ <span class="unit">ulp</span>', '10⁻⁹ <span class="unit">ulp</span>'];
+  const heads = ['system', 'asked', ...['1°', '10⁻⁴', '10⁻⁹'].map((x) => `${x} <span class="unit">ulp</span>`)];
   return `${table(`Errors of ${of === 'T' ? 'T/Θ' : 'Φ'} near the top`, heads)}${rows.join('')}${tableEnd}`;
 }
 
@@ -150,5 +159,6 @@ export function engines(book) {
     'mean period <span class="unit">s</span>',
     'true period <span class="unit">s</span>',
   ];
-  return `${table('Physics engines after a minute', ['engine', ...of('pendulum', '90'), ...of('loaded ball', '68.8')])}${rows.join('')}${tableEnd}`;
+  const heads = ['engine', ...of('pendulum', '90'), ...of('loaded ball', '68.8')];
+  return `${table('Physics engines after a minute', heads)}${rows.join('')}${tableEnd}`;
 }

@@ -11,6 +11,11 @@ mkdir -p "$keep/debian/partial" "$keep/npm" "$room/usr"
 # debian NAME=VERSION ...: these packages and what they need, unpacked into the room. What the machine has in
 # that version already is used as it is.
 debian() {
+  here=yes
+  for package; do
+    [ "$(dpkg-query --show --showformat='${Version}' "${package%%=*}" 2>"$room/dpkg.log")" = "${package#*=}" ] || here=no
+  done
+  [ $here = no ] || return 0
   apt-get install --yes --quiet=2 --no-install-recommends --download-only --allow-downgrades \
     -o Debug::NoLocking=1 -o Dir::Cache::archives="$keep/debian" "$@" >"$room/apt.log" 2>&1 || {
     cat "$room/apt.log" >&2

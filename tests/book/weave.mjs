@@ -208,6 +208,11 @@ function weave(spoil = () => {}, ...options) {
     [`${build}/drawn/pendulum-11.svg`]: drawing,
     [`${build}/programs.txt`]: 'pendulum-11\n',
     [`${build}/made-with.json`]: '{"compiler": "none"}',
+    [`${build}/other-systems.json`]: JSON.stringify({
+      question: { T: ['1', '2', '4'], Phi: ['1', '2', '4'] },
+      systems: [],
+      engines: { pendulum: { 0: '2', 0.004: '2', 0.005: '2' }, ball: '3' },
+    }),
     [`${source}/book/matter/index.md`]: '# The book\n\nIt opens.\n',
     [`${source}/CMakeLists.txt`]: 'project(euler-on-oscillation VERSION 1.0.0)\n',
     [`${source}/figures/style.gp`]: fs.readFileSync(path.join(root, 'figures/style.gp'), 'utf8'),
