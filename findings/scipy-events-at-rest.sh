@@ -4,8 +4,8 @@
 # of success.
 #
 # The guess: a pendulum is let go from rest, and "stop when the velocity is nought" gives half a period. The velocity
-# is nought at the start too. A finer tolerance does not help, and a direction only if it happens to be the other one: going down from rest counts as a change downwards. A finer
-# tolerance. Way out: start a moment later, or let the event be the crossing of the lowest point.
+# is nought at the start too. A finer tolerance does not help, and a direction only if it happens to be the other one:
+# going down from rest counts as a change downwards. Way out: start a moment later, or let the event be the crossing of the lowest point.
 #
 #> terminal event at t = 0.0, 2 points, status 1
 #> with direction +1: 3.708, with direction -1: 0.000
