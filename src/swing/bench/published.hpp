@@ -37,9 +37,9 @@ public:
   /// sn, cn and dn.
   struct Functions
   {
-    double sn;
-    double cn;
-    double dn;
+    double sn;  ///< the sine of the amplitude
+    double cn;  ///< its cosine
+    double dn;  ///< its delta
   };
   /// The functions at t.
   Functions operator()(double t) const;

@@ -30,7 +30,9 @@ using Promoting =
 using DoubleOnly =
     boost::math::policies::policy<boost::math::policies::promote_double<false>, Overflow, Domain>;
 
+/// What a peer without an answer gives.
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+/// A degree in radians.
 inline constexpr double degree = std::numbers::pi / 180;
 /// So many of the first arguments are judged.
 inline constexpr std::size_t judged = 2000;
