@@ -190,6 +190,14 @@ export function sectionPage(s, book) {
   for (const c of missed ? [] : s.check.cases)
     if (!s.blocks.some((b) => b.kind === 'check' && b.name === c.name))
       fault(c.line, `the check "${c.name}" does not stand on the page`);
+  for (const e of s.entries)
+    if (e.declared?.shown && !s.placed.has(e.name))
+      fault(
+        e.block.line,
+        `nothing in the account refers to this ${e.kind}: put {{entry ${e.name}}} where its reading stands, or declare it not_shown`,
+      );
+  for (const name of s.check.uncovered) fault(1, `no check looks at ${name}`);
+
   const says =
     heading('What it says') +
     parameters(s, book.live) +

@@ -387,6 +387,10 @@ const faults = {
     ['s11.cpp', '/*!\n## Checks\n*/', '/*!\n## Checks\n*/\n\nTELL\n{\n  race("half");\n}'],
     /s11\.cpp:\d+: a race stands under the heading "Speed against error"/,
   ],
+  'a number that no check looks at': [
+    ['check.json', '"uncovered":[]', '"uncovered":["half"]'],
+    /s11\.cpp:1: no check looks at half/,
+  ],
   'code that names no formula': [
     ['s11.cpp', '// (1)', '// (2)'],
     /s11\.cpp:1: a comment in the code names the formula \(2\)/,
@@ -493,6 +497,18 @@ test('refused: a program that has told nothing', () => {
     weave((files) => files.remove('pendulum-11.json')).stderr,
     /^chapters\/pendulum\/s11\.cpp:1: the program pendulum-11 has told nothing/,
   );
+});
+test('refused: an entry that nothing refers to, unless it says that its place is not shown', () => {
+  const without = (files) => {
+    files.replace('s11.cpp', 'a third {{entry slip}}', 'a third');
+    files.replace('s11.cpp', 'x = 1{{entry slip}}', 'x = 1');
+  };
+  assert.match(weave(without).stderr, /s11\.cpp:\d+: nothing in the account refers to this erratum: put \{\{entry slip\}\}/);
+  const { status } = weave((files) => {
+    without(files);
+    files.replace('pendulum-11.json', '"shown":true', '"shown":false');
+  });
+  assert.equal(status, 0);
 });
 test('all faults of a weave are told at once, in the order of the file', () => {
   const { status, stderr } = weave((files) => {
