@@ -38,7 +38,8 @@ $P$ vanish, and drops out. What its derivative leaves, $\frac{dL}{dx} = -\frac1{
 -\frac1{2u}$ turn the
 rest, multiplied by $u$, into
 
-$$ 4(1-x)^2\left(S' + x\,S''\right) - 8x(1-x)\,S' - (3-4x)\,S = 4(1-x)\,P' - P, \tag{G} $$
+$$ \begin{aligned} 4(1-x)^2\left(S' + x\,S''\right) &- 8x(1-x)\,S' - (3-4x)\,S \\
+   &= 4(1-x)\,P' - P, \end{aligned} \tag{G} $$
 
 and the power $x^j$ of {{eq G}}, with $4(j+1)^2a_{j+1}^2 = (2j+1)^2a_j^2$, ties each column's sum to the
 two before it:

@@ -47,7 +47,7 @@ function judged() {
     wrong.push(`${what}: ${(element.outerHTML ?? String(element)).slice(0, 120)}`);
   if (document.documentElement.scrollWidth > window.innerWidth)
     wrong.push(`wider than the window by ${document.documentElement.scrollWidth - window.innerWidth}`);
-  for (const svg of document.querySelectorAll('figure svg')) {
+  for (const svg of document.querySelectorAll('figure svg:not(.katex svg)')) {
     const box = svg.getBoundingClientRect();
     if (box.width < 100 || box.height < 50 || !svg.querySelector('path'))
       say('a figure without a drawing', svg);
@@ -56,7 +56,7 @@ function judged() {
   for (const image of document.images)
     if (!image.complete || !image.naturalWidth) say('an image that did not load', image);
   if (innerWidth < 500) {
-    for (const svg of document.querySelectorAll('figure svg'))
+    for (const svg of document.querySelectorAll('figure svg:not(.katex svg)'))
       for (const word of svg.querySelectorAll('text, tspan[font-size]')) {
         const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
         if (word.textContent.trim() && parseFloat(getComputedStyle(word).fontSize) * scale < 9.99) {
