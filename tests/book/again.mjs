@@ -8,7 +8,7 @@ import path from 'node:path';
 const [source, build, doxygen] = process.argv.slice(2);
 const other = fs.mkdtempSync(path.join(os.tmpdir(), 'again-'));
 try {
-  for (const what of ['told', 'drawn', 'programs.txt', 'made-with.json', 'html/fonts'])
+  for (const what of ['told', 'drawn', 'programs.txt', 'made-with.json', 'other-systems.json', 'html/fonts'])
     fs.cpSync(path.join(build, what), path.join(other, what), { recursive: true });
   fs.writeFileSync(
     path.join(other, 'Doxyfile'),
