@@ -124,7 +124,17 @@ struct Found
 /// is finite, and neither determinant vanishes
 Found constants_of(double lambda, double mu, double i, const State<>& start);
 
-/// K = 2iλm/(4μμ − λλ) of §26, and 1 ± K, each to a few ulps however near K is to ±1.
+// [K]
+/// K = λλμμam/(2g(4μμ − λλ)) = 2iλm/(4μμ − λλ) (§26), to a few roundings. Infinite at λ = 2μ.
+template <class Number>
+Number K_of(const Number& lambda, const Number& mu, const Number& a, const Number& g, const Number& m)
+{
+  const Number divisor = (2 * mu - lambda) * (2 * mu + lambda);
+  return lambda * lambda * mu * mu * a * m / (2 * g * divisor);
+}
+// [K]
+
+/// K of §26, and 1 ± K, each to a few ulps however near K is to ±1.
 struct Factors
 {
   double K;          ///< what divides the amplitudes of §§30, 32
