@@ -114,8 +114,8 @@ In the example $K$ is {{K|4}}, far from 1; it would be 1 if the beam had the fre
 growing solutions.
 
 ::: figure balance-27
-alt: A curve that starts level at zero, then swings with a slowly waxing amplitude up to the size of one half
-after some swings, and on.
+alt: A curve that starts level at zero and then swings. The swings grow for about six of them, to twice the
+amplitude 𝔄 that was set, and begin to shrink.
 
 A pan that begins to move out of complete rest: Euler's approximate solution where $K = 1$, at
 $am:b = \tfrac1{12}$, over μt. The true equation has no such motion.
