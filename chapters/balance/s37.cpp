@@ -1,0 +1,113 @@
+#include "balance/hung.hpp"
+#include "edition/section.hpp"
+
+SECTION(balance, 37, "No trace of a cause, and two that he dismisses")
+
+using namespace balance;
+
+/*!
+## What Euler does
+
+The calculation shows no trace of what was reported, that the pans rest and swing by turns. The cause must be a
+quite different one. It might be sought in larger motions, or in this, that $A$ and $B$ were supposed to lie in one
+straight line with $C$. But it does not appear how so small a change could make so huge a difference, since the
+method leaves no room for doubt.
+
+It can. If $A$ and $B$ lie by $e$ lower than $C$, a tilt of the beam moves them sideways at once. The swings of both
+pans against each other keep the frequency μ; those with each other have another, σ, a root of
+
+$$ (\lambda_e^2 - \sigma^2)(\mu^2 - \sigma^2) = \varepsilon\sigma^4, \qquad
+  \varepsilon = \frac{2Le^2}{I_e}, \quad \lambda_e^2 = \frac{2g(Mc+2Le)}{I_e}, \quad
+  I_e = M(kk+cc) + 2L(aa+ee). \tag{A} $$
+
+A pan that swings alone is the sum of the two, and after the time $\pi : (\sigma-\mu)$ the other has its whole
+motion. However small $e$ is, nothing remains incomplete; it only takes longer, as $1 : ee$. What counts is the
+coupling against the difference of the two pans, which is zero.
+
+::: margin
+Today: perturbation of a double eigenvalue.
+:::
+
+## The program
+*/
+
+const auto M = real("M", 2, none, closed(0.01, 1e4), "weight of the beam");
+const auto L = real("L", 1, none, closed(0.01, 100), "weight of each pan");
+const auto a = real("a", 2, feet, closed(0.1, 100), "half the beam");
+const auto b = real("b", 2, feet, closed(0.1, 100), "length of the strings");
+const auto c = real("c", 0.1, feet, closed(1e-4, 10), "depth of the beam's centre of gravity");
+const auto kk = real("kk", 4. / 3, Unit{"ft²"}, closed(0.001, 1e4), "square of its radius of gyration");
+const auto g = real("g", 16, feet, closed(0.1, 100), "height fallen in the first second");
+const auto e = real("e", 0.2, feet, closed(1e-12, 10), "how far A and B lie below C");
+
+const auto given = [] { return Suspended{{a, b, c, kk, L, M, g}, 1, e, false}; };
+
+TELL
+{
+  const auto all = modes(given());
+  tell("slowest", all[0].frequency, Unit{"1/s"}, "the slowest of the three frequencies", 16);
+  tell("middle", all[1].frequency, Unit{"1/s"}, "the second of them", 16);
+  tell("fastest", all[2].frequency, Unit{"1/s"}, "the third", 16);
+  tell("splitting", transfer(given()).splitting, Unit{"1/s"}, "σ − μ", 16);
+  tell("time", transfer(given()).time, seconds, "P's motion is then Q's", 16);
+}
+
+TELL
+{
+  curve("times", {"e", "time"}, [](Curve& out) {
+    for(int j = 0; j <= 40; ++j)
+    {
+      Suspended s = given();
+      s.e = std::pow(10, -4 + j / 10.);
+      out.put({s.e, transfer(s).time});
+    }
+  });
+}
+
+/*!
+Lowered by {{e}} ft, the ends let P hand its motion to Q in {{time|5}} s.
+
+::: figure balance-37
+alt: The transfer time against the offset, both axes logarithmic: a straight line falling two decades for one.
+
+The time in which P's motion becomes Q's, against the offset $e$. It is finite for every one.
+:::
+
+## Checks
+*/
+
+std::array<Fifty, 3> roots()  // μ² and the two of (A), by the quadratic
+{
+  const Fifty M_ = double(M), L_ = double(L), a_ = double(a), c_ = double(c), e_ = double(e),
+              G = 2 * Fifty(double(g));
+  const Fifty I = M_ * (Fifty(double(kk)) + c_ * c_) + 2 * L_ * (a_ * a_ + e_ * e_), mu2 = G / double(b);
+  const Fifty l2 = G * (M_ * c_ + 2 * L_ * e_) / I, rest = 1 - 2 * L_ * e_ * e_ / I;
+  const Fifty root = sqrt((l2 + mu2) * (l2 + mu2) - 4 * rest * l2 * mu2);
+  return {mu2, (l2 + mu2 - root) / (2 * rest), (l2 + mu2 + root) / (2 * rest)};
+}
+
+CHECK_THAT("the frequencies are the roots of (A), and σ − μ their difference in fifty digits")
+{
+  for(const Told& now : told_at("", "e=1e-4", "e=1e-10 c=0.3 L=0.2", "M=50 a=1 b=3 e=0.7"))
+  {
+    auto all = roots();
+    const Fifty mu = sqrt(all[0]);
+    const Fifty x = sqrt(all[1]) - mu, y = sqrt(all[2]) - mu, apart = abs(x) < abs(y) ? x : y;
+    std::sort(all.begin(), all.end());
+    CHECK(now.value("slowest", Unit{"1/s"}) == within_ulps(sqrt(all[0]), 1, "the library's bound"));
+    CHECK(now.value("middle", Unit{"1/s"}) == within_ulps(sqrt(all[1]), 1, "the same"));
+    CHECK(now.value("fastest", Unit{"1/s"}) == within_ulps(sqrt(all[2]), 1, "the same"));
+    CHECK(now.value("splitting", Unit{"1/s"}) == within_relative(apart, 1e-15, "two roundings"));
+    CHECK(now.value("time", seconds) == within_relative(exact::pi() / abs(apart), 1e-15, "the same"));
+    const auto points = now.points("times");
+    CHECK(points[0].at("time") / points[10].at("time") == between(80, 120, "as the square, for small e"));
+    for(const std::size_t k : {0, 20, 40})
+    {
+      Suspended s = given();
+      s.e = std::pow(10, -4 + double(k) / 10);
+      CHECK(points[k].value("e") == within_relative(s.e, 1e-15, "a power"));
+      CHECK(points[k].value("time")
+            == within_relative(exact::pi() / abs(Fifty(transfer(s).splitting)), 1e-15, "π"));
+    }
+  }
+}
