@@ -9,27 +9,27 @@ using namespace balance;
 /*!
 ## What Euler does
 
-The four conditions of {{sec balance.26}} cannot all be met, whatever the phases. If α = 0 and β = 0, the first
-two are; the others become
+The four conditions of {{sec balance.26}} cannot all be met, whatever the phases. If α = 0 and β = 0, the
+first two are; the others become
 
 $$ \text{III.}\quad 0 = 1 - K, \qquad \text{IV.}\quad 0 = 1 + K, \tag{1} $$
 
 which is impossible, since their sum is $0 = 2$. The same happens with α = 90° and β = 90°: then the last two
-are met, and I and II become $0 = 1 + K$ {{entry angle_m}} and $0 = 1 - K$. In general, too, there arises such an
-absurdity, for
+are met, and I and II become $0 = 1 + K$ {{entry angle_m}} and $0 = 1 - K$. In general, too, there arises
+such an absurdity, for
 
 $$ \begin{aligned} \text{I}\cdot\sin\beta + \text{II}\cdot\sin\alpha:&\quad 0 = 2\sin\alpha\sin\beta,\\
 \text{III}\cdot\cos\beta + \text{IV}\cdot\cos\alpha:&\quad 0 = 2\cos\alpha\cos\beta, \end{aligned} \tag{2} $$
 
 and both at once, he says, cannot be {{entry both_products}}.
 
-They can: with α = 0 and β = 90°, or the other way round, both products vanish. The contradiction lies elsewhere,
-in I and III by themselves: they would have $\sin\alpha$ and $\cos\alpha$ vanish together, unless
+They can: with α = 0 and β = 90°, or the other way round, both products vanish. The contradiction lies
+elsewhere, in I and III by themselves: they would have $\sin\alpha$ and $\cos\alpha$ vanish together, unless
 
 $$ K = -1 \quad\text{or}\quad K = 1. \tag{A} $$
 
-For these two the conditions can be met, at α = 0 and β = 90° if $K = 1$, at α = 90° and β = 0 if $K = -1$, with
-any amplitudes. With $p = am/b = \mu\mu am/2g$ that is where
+For these two the conditions can be met, at α = 0 and β = 90° if $K = 1$, at α = 90° and β = 0 if $K = -1$,
+with any amplitudes. With $p = am/b = \mu\mu am/2g$ that is where
 
 $$ \lambda = \frac{2\mu}{\sqrt{1 \pm p}}. \tag{B} $$
 
@@ -39,9 +39,9 @@ vanishes, some starts have no solution, others many.
 :::
 
 Then Euler's formula has a pan set out from complete rest. No true motion does: the pan's own equation
-({{sec balance.15}}) has for one start one solution, and from rest that is rest. What fails is the approximation,
-and it fails where one would expect it, about $\lambda = 2\mu$, between whose bounds the swings of a pan grow
-without end ({{sec balance.22}}).
+({{sec balance.15}}) has for one start one solution, and from rest that is rest. What fails is the
+approximation, and it fails where one would expect it, about $\lambda = 2\mu$, between whose bounds the
+swings of a pan grow without end ({{sec balance.22}}).
 
 ## The program
 */
@@ -91,7 +91,8 @@ TELL
 }
 
 /*!
-What such a motion from nothing looks like: at $K = 1$, with α = 0 and $\mathfrak A = 1$, by {{sec balance.25}}.
+What such a motion from nothing looks like: at $K = 1$, with α = 0 and $\mathfrak A = 1$, by
+{{sec balance.25}}.
 */
 
 Fifty from_nothing(const Fifty& p, const Fifty& t)  // μ = 1

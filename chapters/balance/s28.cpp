@@ -8,24 +8,25 @@ using namespace balance;
 /*!
 ## What Euler does
 
-The way out of the contradiction is that the conditions were divided by $\mathfrak A$ and $\mathfrak B$, and so
-lost the factors on which everything hangs. Nothing else can meet them but
+The way out of the contradiction is that the conditions were divided by $\mathfrak A$ and $\mathfrak B$, and
+so lost the factors on which everything hangs. Nothing else can meet them but
 
 $$ \mathfrak A = 0, \qquad \mathfrak B = 0. \tag{1} $$
 
-So in this case, Euler concludes, both pans remain at rest for ever and take up no motion at all, though the beam
-goes on swinging beside them.
+So in this case, Euler concludes, both pans remain at rest for ever and take up no motion at all, though the
+beam goes on swinging beside them.
 
-At the order of smallness at which he works that is not so. His equations keep the product $\eta\omega$, of the
-second order, but have dropped a term that is of the same order and does not vanish with η
-({{sec balance.13}}): $A$ and $B$ move on arcs, and so a little sideways, twice in each period of the beam. With it
+At the order of smallness at which he works that is not so. His equations keep the product $\eta\omega$, of
+the second order, but have dropped a term that is of the same order and does not vanish with η
+({{sec balance.13}}): $A$ and $B$ move on arcs, and so a little sideways, twice in each period of the beam.
+With it
 
 $$ \frac{d^2\eta}{dt^2} + \mu\mu\eta = \frac{a}{b}\,\frac{d^2}{dt^2}\frac{\omega\omega}2, \qquad
    \eta = -F(\cos2\lambda t - \cos\mu t), \qquad F = \frac ab\,\frac{\lambda\lambda mm}{\mu\mu-4\lambda\lambda},
 \tag{A} $$
 
-and $\vartheta = -\eta$: the pans open and close together. At $\mu = 2\lambda$ the divisor vanishes, and the swings
-grow with the time, as $-\frac{a}{4b}mm\lambda\,t\sin2\lambda t$.
+and $\vartheta = -\eta$: the pans open and close together. At $\mu = 2\lambda$ the divisor vanishes, and the
+swings grow with the time, as $-\frac{a}{4b}mm\lambda\,t\sin2\lambda t$.
 
 ::: margin
 Today: a 1 : 2 resonance. Its divisor, $\mu - 2\lambda$, does not occur in Euler's formulae.
@@ -70,15 +71,15 @@ TELL
 }
 
 /*!
-After {{t}} s P stands at {{eta|4}}, Q at {{theta|4}}; by {{eq A}} at {{eta_second|4}} and {{theta_second|4}}. By
-Euler both would be at zero.
+After {{t}} s P stands at {{eta|4}}, Q at {{theta|4}}; by {{eq A}} at {{eta_second|4}} and
+{{theta_second|4}}. By Euler both would be at zero.
 
 ::: figure balance-28
-alt: The inclinations of both pans over two periods of the beam, mirror images of each other, up to a third of a
-degree. Formula (A) runs close to P. Euler's line is zero.
+alt: The inclinations of both pans over two periods of the beam, mirror images of each other, up to a third
+of a degree. Formula (A) runs close to P. Euler's line is zero.
 
-Both pans hang at rest when the beam is let go at a sixth of the radius, $\lambda = 1$, $\mu = 3$. They do not stay
-so: P and Q by the full equations, P by {{eq A}} (dashed), and what Euler says, zero.
+Both pans hang at rest when the beam is let go at a sixth of the radius, $\lambda = 1$, $\mu = 3$. They do
+not stay so: P and Q by the full equations, P by {{eq A}} (dashed), and what Euler says, zero.
 :::
 
 ## Checks

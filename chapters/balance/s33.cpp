@@ -8,8 +8,8 @@ using namespace balance;
 /*!
 ## What Euler does
 
-The formulae of {{sec balance.32}} for a balance of which all three parts are let go from rest are drawn together
-by one letter,
+The formulae of {{sec balance.32}} for a balance of which all three parts are let go from rest are drawn
+together by one letter,
 
 $$ i = \frac{\lambda\mu\mu a}{4g}. \tag{1} $$
 
@@ -32,8 +32,8 @@ $$ \begin{aligned}
 \frac{d\omega}{dt} &= -\lambda m\sin\lambda t.
 \end{aligned} \tag{3} $$
 
-The number $i$ is a frequency: since $2g = \mu\mu b$, it is $a\lambda:2b$. At $t = 0$ {{eq 2}} gives not $n$ and
-$n'$ but $n(1+K)$ and $n'(1-K)$, with the $K$ of {{sec balance.26}}.
+The number $i$ is a frequency: since $2g = \mu\mu b$, it is $a\lambda:2b$. At $t = 0$ {{eq 2}} gives not $n$
+and $n'$ but $n(1+K)$ and $n'(1-K)$, with the $K$ of {{sec balance.26}}.
 
 ## The program
 
@@ -100,12 +100,12 @@ TELL
 {{table motion}}
 
 ::: figure balance-33
-alt: How far the pan P by each of three formulae is from the full motion over one period of the beam. All three
-grow to some tenths of a degree.
+alt: How far the pan P by each of three formulae is from the full motion over one period of the beam. All
+three grow to some tenths of a degree.
 
-What each formula misses of P's true inclination in Euler's example: by {{eq 2}}, with corrected amplitudes, and
-complete to the second order (dashed). What the last one leaves is of the third order, the longer period of wider
-swings.
+What each formula misses of P's true inclination in Euler's example: by {{eq 2}}, with corrected amplitudes,
+and complete to the second order (dashed). What the last one leaves is of the third order, the longer period
+of wider swings.
 :::
 
 ## Checks

@@ -8,21 +8,21 @@ using namespace balance;
 /*!
 ## What Euler does
 
-The calculation shows no trace of what was reported, that the pans rest and swing by turns. The cause must be a
-quite different one. It might be sought in larger motions, or in this, that $A$ and $B$ were supposed to lie in one
-straight line with $C$. But it does not appear how so small a change could make so huge a difference, since the
-method leaves no room for doubt.
+The calculation shows no trace of what was reported, that the pans rest and swing by turns. The cause must be
+a quite different one. It might be sought in larger motions, or in this, that $A$ and $B$ were supposed to
+lie in one straight line with $C$. But it does not appear how so small a change could make so huge a
+difference, since the method leaves no room for doubt.
 
-It can. If $A$ and $B$ lie by $e$ lower than $C$, a tilt of the beam moves them sideways at once. The swings of both
-pans against each other keep the frequency μ; those with each other have another, σ, a root of
+It can. If $A$ and $B$ lie by $e$ lower than $C$, a tilt of the beam moves them sideways at once. The swings
+of both pans against each other keep the frequency μ; those with each other have another, σ, a root of
 
 $$ (\lambda_e^2 - \sigma^2)(\mu^2 - \sigma^2) = \varepsilon\sigma^4, \qquad
   \varepsilon = \frac{2Le^2}{I_e}, \quad \lambda_e^2 = \frac{2g(Mc+2Le)}{I_e}, \quad
   I_e = M(kk+cc) + 2L(aa+ee). \tag{A} $$
 
-A pan that swings alone is the sum of the two, and after the time $\pi : (\sigma-\mu)$ the other has its whole
-motion. However small $e$ is, nothing remains incomplete; it only takes longer, as $1 : ee$. What counts is the
-coupling against the difference of the two pans, which is zero.
+A pan that swings alone is the sum of the two, and after the time $\pi : (\sigma-\mu)$ the other has its
+whole motion. However small $e$ is, nothing remains incomplete; it only takes longer, as $1 : ee$. What
+counts is the coupling against the difference of the two pans, which is zero.
 
 ::: margin
 Today: perturbation of a double eigenvalue.
