@@ -16,7 +16,8 @@ $$ i = \frac{\lambda\mu\mu a}{4g}. \tag{1} $$
 Then beam and pans move so:
 
 $$ \begin{aligned}
-\eta &= n\cos\mu t + \frac{imn}{2\mu-\lambda}\cos(\mu-\lambda)t - \frac{imn}{2\mu+\lambda}\cos(\mu+\lambda)t,\\
+\eta &= n\cos\mu t + \frac{imn}{2\mu-\lambda}\cos(\mu-\lambda)t -
+\frac{imn}{2\mu+\lambda}\cos(\mu+\lambda)t,\\
 \vartheta &= n'\cos\mu t - \frac{imn'}{2\mu-\lambda}\cos(\mu-\lambda)t
   + \frac{imn'}{2\mu+\lambda}\cos(\mu+\lambda)t,\\
 \omega &= m\cos\lambda t,
