@@ -141,7 +141,7 @@ CHECK_THAT("what is told is (2), its derivative, and the solutions of the equati
     three(2, n.fifty() * (1 + K), n1.fifty() * (1 - K), 2e-16);
     three(3, eta(s) / (1 + K), theta(s) / (1 - K), 2e-16);
     three(4, n.fifty() * (still + pan) - arc, n1.fifty() * (still - pan) + arc, 2e-16);
-    for(const std::size_t k : {0, 3})
+    for(const std::size_t k : {std::size_t{0}, std::size_t{3}})
       CHECK(rows[k].value("omega") == within_relative(m.fifty() * cos(l * s), 2e-16, because));
     const Fifty N = n.fifty(), N1 = n1.fifty(), beam = cos(l * s);
     const Fifty lines = (cos((u - l) * s) - beam) / (u - 2 * l) + (cos((u + l) * s) - beam) / (u + 2 * l);

@@ -101,7 +101,7 @@ CHECK_THAT("the frequencies are the roots of (A), and σ − μ their difference
     CHECK(now.value("time", seconds) == within_relative(exact::pi() / abs(apart), 1e-15, "the same"));
     const auto points = now.points("times");
     CHECK(points[0].at("time") / points[10].at("time") == between(80, 120, "as the square, for small e"));
-    for(const std::size_t k : {0, 20, 40})
+    for(const std::size_t k : {std::size_t{0}, std::size_t{20}, std::size_t{40}})
     {
       Suspended s = given();
       s.e = std::pow(10, -4 + double(k) / 10);
