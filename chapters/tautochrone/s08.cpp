@@ -1,0 +1,242 @@
+#include "edition/section.hpp"
+#include "tautochrone/euler.hpp"
+#include "tautochrone/thread.hpp"
+
+SECTION(tautochrone, 8, "The figure: the cheek, the thread and the body")
+
+using namespace tautochrone;
+
+/*!
+## What Euler does
+
+Here the mathematics begins, with the figure that all that follows refers to, his sixth. Any pendulum hangs
+from the point $A$. The curve $AMB$ is its directrix, the cheek: the flexible upper part of the pendulum
+lies on it from $A$ to $M$, and from this last point of contact the lower part $MG$ goes straight on while
+it moves.
+
+Two things are then said. First, that this tangent $MG$ passes through the body's centre of gravity $G$; for
+the mean direction of the centrifugal force, by which the pendulum is stretched besides its gravity, goes
+through that point. Secondly, that $G$ describes a curve $GC$ whose evolute is the cheek, so that $MG$ is its
+radius of curvature in $G$.
+
+The line $AD$, which touches the cheek in its highest point $A$, is vertical. On its other side is an equal
+cheek, which the figure leaves out; the pendulum swings between the two so that $G$ falls and rises by turns
+on the curve $GC$ and on its continuation on the other side.
+
+In the letters of {{sec tautochrone.12}} and {{sec tautochrone.33}}, with $AM = s$, $MG = r = a - s$ and
+$\varphi$ the angle of $MG$ with the vertical, the place of $M$ being $p$ below and $q$ beside $A$, that of
+$G$ is
+
+$$ AQ = p + r\cos\varphi, \qquad QG = q + r\sin\varphi, \tag{A} $$
+
+and, as $dp = ds\cos\varphi$, $dq = ds\sin\varphi$ and $dr = -ds$, its element has the length $r\,d\varphi$
+and is at right angles to $MG$.
+
+::: margin
+The involute of the cheek. $M$ is the body's instantaneous centre of rotation; it is at rest as a point of
+the body, and only the place of contact moves.
+:::
+
+The reason that he gives for the first statement is not sufficient. The centrifugal force pulls through $G$,
+but a body that swings with its thread is also turned, now faster, now slower, and a thread that is limp
+cannot turn it: it pulls along itself, and through $G$ that has no moment. At $M$ the free part must bear
+across, over the weight of the body,
+
+$$ R = -\frac{kk}{r}\cdot\frac{2dd\varphi}{dt^2} = P\cdot\frac{GZ}{MG}, \tag{B} $$
+
+with $P$ and $Z$ of {{sec tautochrone.14}}. So Euler's pendulum needs a free part that is stiff, and is
+flexible only where it lies on the cheek. For a heavy point, $k = 0$, nothing is to be borne and the thread
+may be limp.
+
+## The program
+
+The cheeks are Huygens's; their coordinates and those of $G$ are:
+*/
+
+double G_down(double phi)  // (A), a = 1
+{
+  return euler_p<double>(1, 0, phi) + std::cos(phi) * std::cos(phi);
+}
+
+double G_aside(double phi)  // (A), a = 1
+{
+  return euler_q<double>(1, 0, phi) + std::cos(phi) * std::sin(phi);
+}
+
+const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
+const auto k = real("k", 0.2, metres, scale, "radius of gyration");
+const auto phi0 =
+    angle("phi0", 60_deg, above_to(0_deg, 89_deg), "how far the pendulum swings to either side");
+const auto phi = angle("phi", 40_deg, closed(0_deg, 89_deg), "angle of the free part with the vertical");
+
+double borne(double ratio, double phi0_, double phi_)  // (B)
+{
+  const auto at = on_cycloids<double>(phi0_, phi_);
+  return force(at, ratio) * cycloidal_GZ<double>(ratio, phi0_, phi_) / at.r;
+}
+
+TELL
+{
+  const double ratio = k / a;
+  require(ratio >= 1e-80 && ratio <= 1e20, "k", "from 1e-80 a to 1e20 a");
+  require(phi <= phi0, "phi", "at most phi0");
+  tell("s", a * euler_s<double>(1, 0, phi), metres, "AM, the part that lies on the cheek");
+  tell("r", a * std::cos(phi), metres, "MG, the free part");
+  tell("p", a * euler_p<double>(1, 0, phi), metres, "AP, how far M is below A");
+  tell("q", a * euler_q<double>(1, 0, phi), metres, "PM, and beside it");
+  tell("AQ", a * G_down(phi), metres, "how far G is below A");
+  tell("QG", a * G_aside(phi), metres, "and beside it");
+  tell("R", borne(ratio, phi0, phi), "what the free part bears across at M, over the weight");
+  tell("R_at_the_end", borne(ratio, phi0, phi0), "the same at the end of the swing");
+}
+
+TELL
+{
+  curve("lines", {"phi", "q", "p", "G_y", "G_x"}, [](Curve& out) {
+    for(int i = 0; i <= 80; ++i)
+    {
+      const double here = i * 1_deg;
+      out.put({double(i), euler_q<double>(1, 0, here), euler_p<double>(1, 0, here), G_aside(here),
+               G_down(here)});
+    }
+  });
+  auto& letters = table("letters", "The points of the figure, in parts of a",
+                        {{"letter", "point"}, {"aside", "to the right of A"}, {"down", "below A"}});
+  const double q = euler_q<double>(1, 0, phi), p = euler_p<double>(1, 0, phi), kk = k / a * (k / a);
+  const double MH = std::cos(phi) + kk / std::cos(phi);
+  letters.row({"A", 0.0, 0.0});
+  letters.row({"M", q, p});
+  letters.row({"P", 0.0, p});
+  letters.row({"G", G_aside(phi), G_down(phi)});
+  letters.row({"Q", 0.0, G_down(phi)});
+  letters.row({"S", q, G_down(phi)});
+  letters.row({"C", 0.0, 1.0});
+  letters.row({"D", 0.0, 1 + kk});
+  letters.row({"H", q + MH * std::sin(phi), p + MH * std::cos(phi)});
+}
+
+/*!
+::: figure tautochrone-08
+alt: A cheek hangs from A and bends away to the right, to B. The thread lies on it from A to M and goes on
+straight to the centre of gravity G of the body and to H. A curve goes from G down to C below A, and below C
+is D. Level and upright construction lines lead to P, Q and S.
+
+Euler's sixth figure, drawn anew from the text and the geometry with Huygens's cheek. The thread $AM$ lies on
+the cheek $AMB$; $G$ has come from $C$ along a curve whose evolute is that cheek. $D$ and $H$ are the
+centres of oscillation for the axes $A$ and $M$.
+:::
+
+In a swing of 60° a body with $k = \tfrac15a$ needs at 40° {{R|percent2}} of its weight across at $M$, and
+at the end of the swing {{R_at_the_end|percent2}}.
+
+{{table letters}}
+
+## Checks
+
+The cheek has the arc $s$ and the tangent that it should have, and $G$ moves at right angles to $MG$ by
+$r\,d\varphi$: the differences of the places told are taken in fifty digits.
+*/
+
+struct
+    Places  ///< on Huygens's cheek, a = 1, from its equation as a cycloid that a circle of the diameter ½ rolls
+{
+  Fifty q, p;
+  explicit Places(const Fifty& x) : q((2 * x - sin(2 * x)) / 4), p((1 - cos(2 * x)) / 4) {}
+};
+
+CHECK_THAT("M, G and the arc told are those of a cycloid and a thread of the length a, whatever the angle")
+{
+  for(const Told& now : told_at("", "a=1e40 k=1e20 phi=1e-9", "a=3 phi0=89 phi=89", "phi=0"))
+  {
+    const Fifty x = phi.fifty(), A = a.fifty(), s = 2 * pow(sin(x / 2), 2), r = 1 - s;
+    const Places M(x);
+    const char* const why = "the library's bound, and a product";
+    CHECK(now.value("s", metres) == within_relative(A * s, 2e-15, why));
+    CHECK(now.value("r", metres) == within_relative(A * r, 2e-14, "the angle's rounding near 90°"));
+    CHECK(now.value("p", metres) == within_relative(A * M.p, 2e-15, why));
+    CHECK(now.value("q", metres) == within_relative(A * M.q, 2e-15, why));
+    CHECK(now.value("AQ", metres) == within_relative(A * (M.p + r * cos(x)), 2e-15, why));
+    CHECK(now.value("QG", metres) == within_relative(A * (M.q + r * sin(x)), 2e-15, why));
+  }
+}
+
+CHECK_THAT("the thread touches the cheek, and G moves across it by r dφ, by differences")
+{
+  const Fifty h("1e-15");
+  for(const char* const at : {"0.1", "0.7", "1.5"})
+  {
+    const Fifty x(at), s = sin(x), c = cos(x);
+    const Places M(x), up(x + h), low(x - h);
+    const Fifty dq = (up.q - low.q) / (2 * h), dp = (up.p - low.p) / (2 * h);
+    CHECK(dq * c - dp * s == within(0, 1e-28, "the square of the step"));
+    CHECK(dq * s + dp * c == within(s, 1e-28, "ds is sin φ dφ"));
+    const auto G = [](const Fifty& y, const Places& of) {
+      return std::pair<Fifty, Fifty>(of.q + cos(y) * sin(y), of.p + cos(y) * cos(y));
+    };
+    const auto one = G(x + h, up), other = G(x - h, low);
+    const Fifty dy = (one.first - other.first) / (2 * h), dx = (one.second - other.second) / (2 * h);
+    CHECK(dy * s + dx * c == within(0, 1e-28, "no motion along MG"));
+    CHECK(dy * c - dx * s == within(c, 1e-28, "r dφ across it"));
+  }
+}
+
+/*!
+What is borne across is taken from the rotation, which nothing else can change: from differences of
+$d\varphi/dt$, that the energy gives.
+*/
+
+Fifty needed(const Fifty& k_, const Fifty& phi0_, const Fifty& x)  // (B), a = 1
+{
+  const Fifty h = x * Fifty("1e-12");
+  const auto turning2_ = [&](const Fifty& y) -> Fifty {
+    return (pow(cos(y), 2) - pow(cos(phi0_), 2)) / (2 * (k_ * k_ + pow(cos(y), 2)));
+  };
+  return -k_ * k_ / cos(x) * (turning2_(x + h) - turning2_(x - h)) / (2 * h);
+}
+
+CHECK_THAT("what the free part bears across is what the rotation needs")
+{
+  for(const Told& now :
+      told_at("", "k=0.9 phi0=89 phi=1", "a=1e30 k=1e26 phi0=80 phi=79", "k=1e3 phi=1e-3"))
+  {
+    const Fifty k_ = k.fifty() / a.fifty();
+    const char* const why = "the library's bounds, and the angle's near 90°";
+    CHECK(now.value("R") == within_relative(needed(k_, phi0.fifty(), phi.fifty()), 3e-14, why));
+    CHECK(now.value("R_at_the_end") == within_relative(needed(k_, phi0.fifty(), phi0.fifty()), 3e-14, why));
+  }
+}
+
+CHECK_THAT("the points of the figure lie where their definitions put them, and so do its lines")
+{
+  for(const Told& now : told_at("", "phi=10 k=0.5", "phi0=89 phi=85 a=2"))
+  {
+    const Fifty x = phi.fifty(), kk = pow(k.fifty() / a.fifty(), 2), c = cos(x), s = sin(x);
+    const Places M(x);
+    for(const auto& row : now.rows("letters"))
+    {
+      const std::string letter = row.words("letter");
+      const Fifty along = letter == "M" ? Fifty(0) : letter == "H" ? c + kk / c : c;
+      const bool on_axis =
+          letter == "A" || letter == "P" || letter == "Q" || letter == "C" || letter == "D";
+      const Fifty aside = on_axis ? Fifty(0) : letter == "S" ? M.q : M.q + along * s;
+      const Fifty down = letter == "A"   ? Fifty(0)
+                         : letter == "P" ? M.p
+                         : letter == "C" ? Fifty(1)
+                         : letter == "D" ? 1 + kk
+                                         : M.p + along * c;
+      CHECK(row.value("aside") == within(aside, 1e-14, "a few roundings"));
+      CHECK(row.value("down") == within(down, 1e-14, "a few roundings"));
+      CHECK(std::string("AMPGQSCDH").find(letter) != std::string::npos);
+    }
+  }
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("lines", 6))
+    {
+      const Fifty x = Fifty(point.at("phi")) * exact::pi() / 180, c = cos(x);
+      const Places M(x);
+      CHECK(point.value("q") == within(M.q, 2e-15, "a few roundings"));
+      CHECK(point.value("p") == within(M.p, 2e-15, "a few roundings"));
+      CHECK(point.value("G_y") == within(M.q + c * sin(x), 2e-15, "a few roundings"));
+      CHECK(point.value("G_x") == within(M.p + c * c, 2e-15, "a few roundings"));
+    }
+}
