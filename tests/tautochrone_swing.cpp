@@ -377,6 +377,7 @@ TEST_CASE("GZ, GH, the forces: the worked point, the limits, and differences of 
   const Fifty k("0.3"), angle("0.4"), most("0.6");
   const auto p = on_cycloids(most, angle);
   CHECK(speed_height(p, k) + k * k * turning2(p, k) == within_relative(p.to_rise, 1e-48, "§18"));
+  CHECK(turning2(p, k) == within_relative(turning2_by_motion(k, most, angle), 1e-25, "stated"));
   const Fifty h("1e-15");
   const auto turning_at = [&](const Fifty& x) { return turning2(on_cycloids(most, x), k); };
   CHECK(twice_acceleration(p, k)

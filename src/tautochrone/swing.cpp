@@ -1,5 +1,7 @@
 #include "tautochrone/swing.hpp"
 
+#include "exact/ode.hpp"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -55,6 +57,22 @@ Fifty excess(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& phi0)
   const exact::Laurent<Fifty> falling = integral(r);  // dx = r dφ sin φ = −r d(cos φ)
   const auto x = [&](const Fifty& phi) { return falling(Fifty(1)) - falling(cos(phi)); };
   return excess([&](const Fifty& phi) { return r(cos(phi)); }, x, k, phi0);
+}
+
+Fifty turning2_by_motion(const Fifty& k, const Fifty& phi0, const Fifty& phi)
+{
+  const Fifty kk = k * k;
+  if(!(k >= Fifty("1e-20") && k <= Fifty("1e20") && phi >= 0 && phi0 > 0 && phi <= phi0
+       && phi0 < exact::pi() / 2))
+    throw std::domain_error("turning2_by_motion: a k from 1e-20 to 1e20 and 0 ≤ φ ≤ φ₀ < ½π are needed");
+  // With w = φ'φ' it is dw/dφ = 2φ"; what is followed is w(1 + kk)/φ₀φ₀ against φ/φ₀.
+  const auto slope = [&](const Fifty& u, const exact::State& y) -> exact::State {
+    const Fifty s = sin(phi0 * u), c = cos(phi0 * u);
+    return {(2 * c * s * y[0] * phi0 - c * s * (1 + kk) / phi0) / (kk + c * c)};
+  };
+  if(phi == phi0)
+    return 0;
+  return exact::solve(slope, 1, {0}, phi / phi0).y[0] * phi0 * phi0 / (1 + kk);
 }
 
 }  // namespace tautochrone

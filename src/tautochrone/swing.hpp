@@ -27,6 +27,15 @@ exact::Fifty excess(const std::function<exact::Fifty(const exact::Fifty&)>& r,
 /// NaN where that radius is below 1e-4 at phi0: there, or just beyond, such a curve has turned back.
 exact::Fifty excess(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k, const exact::Fifty& phi0);
 
+/**
+ * (dφ/dt)² of a swing out to φ₀ on Huygens's cheeks at the angle φ, in units of a and in Euler's clock, by
+ * following the body's equation of motion (kk + rr)φ" + rr'φ'φ' = −½r sin φ down from rest: it knows
+ * nothing of the integral of §17, which it is there to judge. k is k/a. The relative error is below 1e-25.
+ *
+ * @throws std::domain_error unless 1e-20 ≤ k ≤ 1e20 and 0 ≤ φ ≤ φ₀ < ½π, φ₀ > 0
+ */
+exact::Fifty turning2_by_motion(const exact::Fifty& k, const exact::Fifty& phi0, const exact::Fifty& phi);
+
 /// By how many seconds a clock is late when it has counted a day, if it was set by infinitely small
 /// swings and its swings take 1 + excess times as long.
 inline double late_in_a_day(const exact::Fifty& excess)
