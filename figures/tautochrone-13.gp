@@ -13,6 +13,6 @@ stats file using (column("k3")) every ::80 name "C" nooutput
 set label "{/:Italic a}/10" at 81, A_max left textcolor linetype 1
 set label "2{/:Italic a}/10" at 81, B_max left textcolor linetype 3
 set label "{/:Italic k} = 3{/:Italic a}/10" at 72, C_max right textcolor linetype 2
-set label "fixed axis" at 30, 0.055 left textcolor linetype 6
+set label "fixed axis" at 1, 0.105 left textcolor linetype 6
 plot file using "phi":"k1" with lines linetype 1, "" using "phi":"k2" with lines linetype 3, \
      "" using "phi":"k3" with lines linetype 2, "" using "phi":"axis" with lines linetype 6
