@@ -15,13 +15,14 @@ swings, one a little slower and one a little faster than the pan's own. He suppo
 
 $$ \eta = \mathfrak A\sin(\alpha+\mu t) + p \tag{1} $$
 
-and puts this into the equation of {{sec balance.16}}. The main parts cancel. In the product of the pan's angle and
-the beam's he leaves $p$ out, for that would be smaller by one more order, and so gets
+and puts this into the equation of {{sec balance.16}}. The main parts cancel. In the product of the pan's
+angle and the beam's he leaves $p$ out, for that would be smaller by one more order, and so gets
 
 $$ \frac{ddp}{\mu\mu\,dt^2} = -p + \frac{a\mathfrak A\mathfrak C{{entry lost_amplitude}}}f
   \sin(\alpha+\mu t)\sin(\gamma+\lambda t). \tag{2} $$
 
-The product of the two sines is half the cosine of their difference less half the cosine of their sum. So he tries
+The product of the two sines is half the cosine of their difference less half the cosine of their sum. So he
+tries
 
 $$ p = \tfrac12M\cos\bigl(\alpha-\gamma+(\mu-\lambda)t\bigr)
      + \tfrac12N\cos\bigl(\alpha+\gamma+(\mu+\lambda)t\bigr), \tag{3} $$
@@ -39,8 +40,8 @@ $$ M = \frac{\mu\mu a\mathfrak A\mathfrak C}{\lambda(2\mu-\lambda)f},\qquad
 and η is {{eq 1}} with this $p$.
 
 ::: margin
-Today: first-order perturbation; the lines $\mu\pm\lambda$ are the side bands of an oscillator whose stiffness is
-modulated at λ.
+Today: first-order perturbation; the lines $\mu\pm\lambda$ are the side bands of an oscillator whose
+stiffness is modulated at λ.
 :::
 
 In {{eq 5}} three letters hide a simple thing. As $\lambda\lambda f = \mu\mu b = 2g$,
@@ -48,13 +49,13 @@ In {{eq 5}} three letters hide a simple thing. As $\lambda\lambda f = \mu\mu b =
 $$ M = \frac ab\,\mathfrak A\mathfrak C\,\frac\lambda{2\mu-\lambda},\qquad
    N = \frac ab\,\mathfrak A\mathfrak C\,\frac\lambda{2\mu+\lambda}. \tag{A} $$
 
-Both are as small as the beam is slow. The slower tone is always the stronger, and at $\lambda = 2\mu$ it has no
-bound: the beam then pulls twice in every swing of the pan, as a child works a playground swing.
+Both are as small as the beam is slow. The slower tone is always the stronger, and at $\lambda = 2\mu$ it has
+no bound: the beam then pulls twice in every swing of the pan, as a child works a playground swing.
 
 ## The program
 
-The formulae use $i = \lambda\mu\mu a/4g$, which Euler introduces in {{sec balance.33}}; with it nothing is lost when
-λ vanishes and $f$ is infinite.
+The formulae use $i = \lambda\mu\mu a/4g$, which Euler introduces in {{sec balance.33}}; with it nothing is
+lost when λ vanishes and $f$ is infinite.
 
 ::: code balance/euler.hpp general (1) (3) (5)
 :::
@@ -93,9 +94,10 @@ TELL
 }
 
 /*!
-How long does the formula hold? Beside it stands the pan that swings by the equation itself, under the same beam:
-{{api balance::pan_under}} solves it to rounding, whatever the time. Both are let go at the same angle and at rest, for
-which the formula needs the amplitude $n/(1+K)$ with $K = \tfrac12(M-N):\mathfrak A$ ({{sec balance.30}}).
+How long does the formula hold? Beside it stands the pan that swings by the equation itself, under the same
+beam: {{api balance::pan_under}} solves it to rounding, whatever the time. Both are let go at the same angle
+and at rest, for which the formula needs the amplitude $n/(1+K)$ with $K = \tfrac12(M-N):\mathfrak A$
+({{sec balance.30}}).
 */
 
 double most_missed(double until)  // in the last fifth before that time, for a release of the size 1
@@ -140,14 +142,15 @@ TELL
 /*!
 {{table missed}}
 
-For the first swings what is missing is of the second order of the beam's angle; later it grows with the time, since
-the equation's own mean frequency is not quite μ ({{sec balance.15}}), and the formula's is.
+For the first swings what is missing is of the second order of the beam's angle; later it grows with the
+time, since the equation's own mean frequency is not quite μ ({{sec balance.15}}), and the formula's is.
 
 ::: figure balance-17
-alt: M and N over the product of the amplitudes and a over b, against the ratio of the frequencies. Both start at zero;
-N rises slowly to two thirds at 4, M rises steeply to infinity at 2 and comes back from below.
+alt: M and N over the product of the amplitudes and a over b, against the ratio of the frequencies. Both
+start at zero; N rises slowly to two thirds at 4, M rises steeply to infinity at 2 and comes back from below.
 
-The strength of the two tones, $M$ and $N$ in units of $\mathfrak A\mathfrak Ca/b$. Euler's example has $\lambda =
+The strength of the two tones, $M$ and $N$ in units of $\mathfrak A\mathfrak Ca/b$. Euler's example has
+$\lambda =
 \tfrac13\mu$; he takes λ to be much smaller still.
 :::
 
@@ -253,8 +256,8 @@ CHECK_THAT("the figure's two curves solve (4), also beyond the pole")
 }
 
 /*!
-Our copy has lost 𝔄 in {{eq 2}} and in {{eq 4}}, not in {{eq 5}}. In the example the slower tone would be six times
-as strong.
+Our copy has lost 𝔄 in {{eq 2}} and in {{eq 4}}, not in {{eq 5}}. In the example the slower tone would be six
+times as strong.
 */
 
 const Emendation lost_amplitude{
@@ -275,9 +278,9 @@ already missing in the equation is not: {{sec balance.13}}.
 ## Go on from here
 
 ::: exercise
-At which λ is the slower tone three times as strong as the faster one?
-answer: At $\lambda = \mu$, by {{eq A}}: run with `--lambda 3`, and compare $M$ and $N$. The slower tone is then no swing
-at all, but a constant lean of the string.
+At which λ is the slower tone three times as strong as the faster one? answer: At $\lambda = \mu$, by
+{{eq A}}: run with `--lambda 3`, and compare $M$ and $N$. The slower tone is then no swing at all, but a
+constant lean of the string.
 :::
 */
 

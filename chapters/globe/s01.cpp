@@ -25,15 +25,15 @@ and distance from the axis. About $G$ these pulls have the moment
 $$ ww\sum m\,yz \quad\text{about the line of the way,}\qquad ww\sum m\,xz \quad\text{about the vertical,}
    \tag{A} $$
 
-and a plane that touches the ball in one point below the axis has nothing to oppose to the second of them. So both
-sums must vanish: the axis through $G$ must be a *principal axis*. A ball that is alike on both sides of the
-vertical plane in which it goes has that property. It is not enough that $G$ lies in that plane.
+and a plane that touches the ball in one point below the axis has nothing to oppose to the second of them. So
+both sums must vanish: the axis through $G$ must be a *principal axis*. A ball that is alike on both sides of
+the vertical plane in which it goes has that property. It is not enough that $G$ lies in that plane.
 
 ## The program
 
-To see it, a homogeneous ball of radius $a$ is loaded with two pellets of equal weight, together the part $q$ of
-the whole. On the average they lie at the depth $d$ below the centre; one is shifted up and to one side, the
-other down and to the other side, by the same amounts. Then $G$ stays in the middle, at
+To see it, a homogeneous ball of radius $a$ is loaded with two pellets of equal weight, together the part $q$
+of the whole. On the average they lie at the depth $d$ below the centre; one is shifted up and to one side,
+the other down and to the other side, by the same amounts. Then $G$ stays in the middle, at
 
 $$ c = qd, \qquad kk = \tfrac25(1-q)aa + q(1-q)dd + q\cdot\textit{shift}^2, \tag{B} $$
 
@@ -118,9 +118,10 @@ motion {{verdict}}.
 {{table balls}}
 
 ::: figure globe-01
-alt: Two circles, balls seen along their way. In the left one two dots lie level below the centre, one to each
-side, and the axis through the centre of gravity is horizontal. In the right one a dot is high on the one side
-and the other low on the other; the centre of gravity is at the same place, but a second axis through it slopes.
+alt: Two circles, balls seen along their way. In the left one two dots lie level below the centre, one to
+each side, and the axis through the centre of gravity is horizontal. In the right one a dot is high on the
+one side and the other low on the other; the centre of gravity is at the same place, but a second axis
+through it slopes.
 
 Two balls seen in the direction in which they go, with the same weights and the same $G$. In the second the
 principal axis (blue) is not the axis of turning (grey), and it cannot keep to Euler's motion.
@@ -278,10 +279,9 @@ matter, which depends on the three moments and on the speed, and which a section
 ## Go on from here
 
 ::: exercise
-Load the ball with one pellet only, of the weight 1/5, at the depth 1/2 and 1/4 to the side. Where is $G$, and
-is the motion plane?
-answer: $G$ is at the side too, by 1/20. About it $\sum m\,yz = -\tfrac15\cdot\tfrac45\cdot\tfrac12\cdot\tfrac14
-= -\tfrac1{50}$: not plane.
+Load the ball with one pellet only, of the weight 1/5, at the depth 1/2 and 1/4 to the side. Where is $G$,
+and is the motion plane? answer: $G$ is at the side too, by 1/20. About it
+$\sum m\,yz = -\tfrac15\cdot\tfrac45\cdot\tfrac12\cdot\tfrac14 = -\tfrac1{50}$: not plane.
 :::
 */
 

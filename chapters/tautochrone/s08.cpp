@@ -137,8 +137,7 @@ The cheek has the arc $s$ and the tangent that it should have, and $G$ moves at 
 $r\,d\varphi$: the differences of the places told are taken in fifty digits.
 */
 
-struct
-    Places  ///< on Huygens's cheek, a = 1, from its equation as a cycloid that a circle of the diameter ½ rolls
+struct Places  ///< on Huygens's cheek, a = 1, a cycloid of a circle of the diameter ½
 {
   Fifty q, p;
   explicit Places(const Fifty& x) : q((2 * x - sin(2 * x)) / 4), p((1 - cos(2 * x)) / 4) {}
