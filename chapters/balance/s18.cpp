@@ -19,7 +19,8 @@ $-a$, and the constants $\mathfrak A$ and α (our copy has $a$ for α) by two ot
 since another pan has its own. The corrected angle is
 
 $$ \begin{aligned} \vartheta = \mathfrak B\sin(\beta+\mu t)
- &- \frac{\mu\mu a\mathfrak B\mathfrak C}{2\lambda(2\mu-\lambda)f}\cos\bigl(\beta-\gamma+(\mu-\lambda)t\bigr)\\
+ &- \frac{\mu\mu a\mathfrak B\mathfrak C}{2\lambda(2\mu-\lambda)f}
+  \cos\bigl(\beta-\gamma+(\mu-\lambda)t\bigr)\\
  &- \frac{\mu\mu a\mathfrak B\mathfrak C}{2\lambda(2\mu+\lambda)f}\cos\bigl(\beta+\gamma+(\mu+\lambda)t\bigr),
 \end{aligned} \tag{2} $$
 
