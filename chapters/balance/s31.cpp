@@ -1,0 +1,185 @@
+#include "balance/euler.hpp"
+#include "balance/exchange.hpp"
+#include "edition/section.hpp"
+
+SECTION(balance, 31, "No motion in the other pan, and where it comes from all the same")
+
+using namespace balance;
+
+/*!
+## What Euler does
+
+Once more he concludes that, however the beam and the one pan may have been set going, no motion at all can
+arise in the other; and that this seems to be against the experiment that was reported to him. But he adds a
+caution. Only smallest oscillations have been considered. Angles were put for their sines, and unity for
+their cosines; had the sines and cosines themselves been kept, the difference would have been huge, and so it
+cannot be denied that in greater oscillations there may be such a communication. Only, it could not have been
+determined from the theory.
+
+The caution is right, and more right than he thinks. That the other pan stays at rest is not so even at the
+order at which he works ({{sec balance.28}}). At the next it takes over the *whole* motion, in this very
+model, and the theory does determine it. A beam that swings with the amplitude $m$ couples the pans by the
+tones at $\mu \pm \lambda$ which each of them gives it. In the mean over its oscillations the difference
+$\eta - \vartheta$ swings with another frequency than the sum $\eta + \vartheta$, and the two frequencies
+differ by
+
+$$ \frac{\rho\,\mu^3m^2}{2(\mu^2-4\lambda^2)}, \tag{A} $$
+
+where ρ is the share of one pan in the whole inertia. After the time in which this makes half a turn,
+
+$$ T_3 = \frac{2\pi\,|\mu^2-4\lambda^2|}{\rho\,\mu^3m^2}, \tag{B} $$
+
+the pan that was let go alone is at rest and the other swings in its place. Both frequencies are besides lower
+than μ, by what Mathieu's equation ({{sec balance.15}}) has; for their sum the shift is
+
+$$ -\frac{a^2}{b^2}\,\frac{\lambda^4m^2}{4\mu(4\mu^2-\lambda^2)}. \tag{C} $$
+
+As the beam's amplitude comes in by its square, beams that swing less need longer, in the limit for ever;
+this is what a theory of smallest oscillations sees of it.
+
+::: margin
+Today: the first average of a fourth-order Hamiltonian. The pans are in 1 : 1 resonance, so any coupling,
+however small, exchanges all.
+:::
+
+## The program
+
+The formulae are {{api balance::averaged}}. The full equations are integrated by {{api balance::Motion}}, and
+the motion is demodulated at μ, {{api balance::envelopes}}.
+*/
+
+const auto lambda = real("lambda", 1, Unit{"1/s"}, closed(0.5, 2), "frequency of the beam, λ = √(2g/f)");
+const auto mu = real("mu", 5, Unit{"1/s"}, closed(1, 20), "frequency of the pans, μ = √(2g/b)");
+const auto beta = real("beta", 0.5, none, closed(0.05, 1), "a/b, arm to string");
+const auto rho = real("rho", 0.25, none, closed(0.01, 0.45), "share of one pan in the whole inertia");
+const auto m = angle("m", 1. / 6, closed(1_deg, 20_deg), "inclination of the beam at the start");
+const auto n = angle("n", 1. / 60, closed(0.1_deg, 20_deg), "inclination of the pan P at the start");
+
+const auto given = [] { return Balance<>{lambda * lambda, mu * mu, beta, rho}; };
+
+std::vector<Envelope> swings(double until)  // of P and Q
+{
+  return envelopes(given(), released(m, n, 0), until, 8 * std::numbers::pi / lambda, 400);
+}
+
+TELL
+{
+  const double square = mu / lambda * (mu / lambda);
+  require(std::abs(square - 4) >= 1, "mu",
+          "such that μμ differs from 4λλ by λλ or more, where (A) is infinite");
+  const Averaged mean = averaged(given(), m);
+  require(mean.time <= 3000, "m", "such that the exchange takes 3000 s at the most");
+  require(mean.time >= 12 * std::numbers::pi / lambda, "m",
+          "such that it takes six oscillations of the beam");
+  const Handover over = handover(swings(1.8 * mean.time));
+  tell("splitting", mean.splitting, Unit{"1/s"}, "by how much the two frequencies differ, (A)");
+  tell("shift", mean.shift, Unit{"1/s"}, "by how much that of η + ϑ differs from μ, (C)");
+  tell("by_theory", mean.time, seconds, "P's motion is then Q's, (B)");
+  tell("by_motion", over.time, seconds, "Q then swings farthest, by the full equations", 5);
+  tell("Q", over.Q, percent, "its amplitude, in parts of P's first", 4);
+  tell("P", over.P, percent, "P's then", 3);
+}
+
+TELL
+{
+  curve("envelopes", {"t", "P", "Q"}, [](Curve& out) {
+    for(const Envelope& now : swings(2.2 * averaged(given(), m).time))
+      out.put({now.t, now.P / n, now.Q / n});
+  });
+}
+
+/*!
+By {{eq B}} the motion passes in {{by_theory|5}} s, by the full equations in {{by_motion|4}} s; then Q has
+{{Q|3}} of the swing with which P began, and P {{P|2}}.
+
+::: figure balance-31
+alt: Two curves against the time. P's amplitude falls from one nearly to zero and comes back; Q's rises from
+zero to one at the same time.
+
+How far P and Q swing, in parts of P's first amplitude, by the full equations. P alone was let go, with a
+beam that swings by a sixth of the radius. By Euler Q would keep to the line of zero.
+:::
+
+## Checks
+*/
+
+CHECK_THAT("the averages are (A), (B) and (C)")
+{
+  for(const Told& now :
+      told_at("", "lambda=2 mu=11 rho=0.4 m=12 n=3", "mu=3 beta=1 rho=0.1 m=20", "mu=1 m=15"))
+  {
+    const Fifty u = mu.fifty(), l = lambda.fifty(), mm = m.fifty() * m.fifty(), B = beta.fifty();
+    const Fifty apart = rho.fifty() * u * u * u * mm / (2 * (u * u - 4 * l * l));
+    CHECK(now.value("splitting", Unit{"1/s"}) == within_relative(apart, 4e-15, "a dozen roundings"));
+    CHECK(now.value("by_theory", seconds) == within_relative(exact::pi() / abs(apart), 4e-15, "the same"));
+    const Fifty down = -B * B * l * l * l * l * mm / (4 * u * (4 * u * u - l * l));
+    CHECK(now.value("shift", Unit{"1/s"}) == within_relative(down, 4e-15, "the same"));
+  }
+  CHECK(refused_at("mu=2"));
+}
+
+/*!
+The handover is looked for a second time in the motion by GSL, as plainly as possible: the amplitude at a
+moment is taken from the angle and the rate, in the mean over one oscillation of the beam.
+*/
+
+double plainly(double t, bool of_Q)  // amplitude about the time t, over n
+{
+  double sum = 0;
+  const double period = 2 * std::numbers::pi / lambda;
+  for(int k = 0; k < 12; ++k)
+  {
+    const State<> now = by_gsl(given(), released(m, n, 0), t + period * (k / 12. - 0.5), 1e-11);
+    const double at = of_Q ? now.at.theta : now.at.eta, rate = of_Q ? now.rate.theta : now.rate.eta;
+    sum += at * at + rate * rate / (mu * mu);
+  }
+  return std::sqrt(sum / 12) / n;
+}
+
+double side_tones()  // what they add to the plain amplitude, at most, in parts of n
+{
+  const double K = beta * lambda * lambda * m / 2 * (1 / (2 * mu - lambda) + 1 / (2 * mu + lambda)) * 2;
+  const double F = beta * lambda * lambda * m * m / std::abs(mu * mu - 4 * lambda * lambda);
+  return K / lambda + 2 * F / n + m * m;
+}
+
+CHECK_THAT("at the time told Q swings as far as told, and P as little; and no farther a tenth of the time "
+           "before or after")
+{
+  for(const Told& now : told_at("", "lambda=2 mu=11 rho=0.4 m=6 n=2", "mu=7 rho=0.1 m=20 n=1.5"))
+  {
+    const double theory = averaged(given(), m).time;
+    CHECK(now.value("by_motion", seconds)
+          == within_relative(theory, 0.06, "the next order, mm, and side tones"));
+    const double T = handover(swings(1.8 * theory)).time, off = side_tones();
+    CHECK(now.value("by_motion", seconds) == within_relative(T, 1e-12, "the same motion"));
+    CHECK(now.value("Q", percent) == within(plainly(T, true), off, "the side tones"));
+    CHECK(now.value("P", percent) == within(plainly(T, false), off + 0.1, "the same, which add up to it"));
+    CHECK(plainly(0.75 * T, true) < plainly(T, true));
+    CHECK(plainly(1.25 * T, true) < plainly(T, true));
+    const auto points = now.points("envelopes");
+    for(const std::size_t k : {std::size_t{60}, std::size_t{200}, std::size_t{340}})
+    {
+      const double t =
+          4 * std::numbers::pi / lambda + double(k) / 400 * (2.2 * theory - 8 * std::numbers::pi / lambda);
+      CHECK(points[k].value("t") == within_relative(t, 1e-12, "equal steps"));
+      CHECK(points[k].value("P") == within(plainly(t, false), off + 0.05, "the side tones, which add up"));
+      CHECK(points[k].value("Q") == within(plainly(t, true), off + 0.05, "the same"));
+    }
+  }
+}
+
+CHECK_THAT("the smaller the beam's swing, the better (B)")
+{
+  double last = 1;
+  for(const double beam : {1. / 6, 1. / 12, 1. / 24})
+  {
+    const Balance<> b{1, 25, 0.5, 0.25};
+    const double theory = averaged(b, beam).time;
+    const auto course = envelopes(b, released(beam, beam / 10, 0), 1.8 * theory, 8 * std::numbers::pi, 400);
+    const double off = std::abs(handover(course).time / theory - 1);
+    CHECK(off < last);
+    CHECK(off < 0.03);
+    last = off;
+  }
+}
