@@ -25,14 +25,15 @@ and distance from the axis. About $G$ these pulls have the moment
 $$ ww\sum m\,yz \quad\text{about the line of the way,}\qquad ww\sum m\,xz \quad\text{about the vertical,}
    \tag{A} $$
 
-and a plane that touches the ball in one point below the axis has nothing to oppose to the second of them. So
-both sums must vanish: the axis through $G$ must be a *principal axis*. A ball that is alike on both sides of
-the vertical plane in which it goes has that property. It is not enough that $G$ lies in that plane.
+and the forces at the point of contact could have such a moment only if one of them acted sideways, which
+would push $G$ out of its way. So both sums must vanish: the axis through $G$ must be a *principal axis*. A
+ball that is alike on both sides of the vertical plane in which it goes has that property. It is not enough
+that $G$ lies in that plane.
 
 ## The program
 
 To see it, a homogeneous ball of radius $a$ is loaded with two pellets of equal weight, together the part $q$
-of the whole. On the average they lie at the depth $d$ below the centre; one is shifted up and to one side,
+of the whole. Their middle lies at the depth $d$ below the centre; one is shifted up and to one side,
 the other down and to the other side, by the same amounts. Then $G$ stays in the middle, at
 
 $$ c = qd, \qquad kk = \tfrac25(1-q)aa + q(1-q)dd + q\cdot\textit{shift}^2, \tag{B} $$
@@ -82,7 +83,7 @@ TELL
   tell("k", double(sqrt(sums.zz)), feet, "radius of gyration about the axis through G");
   tell("product", double(sums.yz), Unit{"ft²"}, "Σ m yz about G, the whole mass being one");
   tell("tilt", tilt(sums), degrees, "angle of the nearest principal axis with the axis of turning");
-  tell("wobble", double(-sums.yz / sums.xx), "angular acceleration about the line of the way, over ww");
+  tell("wobble", double(0 - sums.yz / sums.xx), "angular acceleration about the line of the way, over ww");
   tell("verdict", sums.yz == 0 ? "plane" : "not plane", "what the motion of this ball can be");
 }
 
@@ -244,7 +245,7 @@ CHECK_THAT("the shifted balls of the table and the figure are summed particle by
       CHECK(row.value("shift", feet) == within_relative(n++ * room / 4, 4e-15, "a root less d"));
       CHECK(row.value("k", feet) == within_ulps(expected[0], 1, "rounded once"));
       CHECK(row.value("product", Unit{"ft²"})
-            == within(expected[1], 1e-15 * double(abs(expected[1])) + 1e-300, "once"));
+            == within(expected[1], 1e-15 * double(abs(expected[1])) + 1e-300, "rounded once"));
       CHECK(row.value("tilt", degrees) == within(expected[2], 4e-16, "an arc and a half"));
     }
     n = 0;
@@ -280,7 +281,8 @@ matter, which depends on the three moments and on the speed, and which a section
 
 ::: exercise
 Load the ball with one pellet only, of the weight 1/5, at the depth 1/2 and 1/4 to the side. Where is $G$,
-and is the motion plane? answer: $G$ is at the side too, by 1/20. About it
+and is the motion plane?
+answer: $G$ is at the side too, by 1/20. About it
 $\sum m\,yz = -\tfrac15\cdot\tfrac45\cdot\tfrac12\cdot\tfrac14 = -\tfrac1{50}$: not plane.
 :::
 */
