@@ -278,7 +278,8 @@ already missing in the equation is not: {{sec balance.13}}.
 ## Go on from here
 
 ::: exercise
-At which λ is the slower tone three times as strong as the faster one? answer: At $\lambda = \mu$, by
+At which λ is the slower tone three times as strong as the faster one?
+answer: At $\lambda = \mu$, by
 {{eq A}}: run with `--lambda 3`, and compare $M$ and $N$. The slower tone is then no swing at all, but a
 constant lean of the string.
 :::

@@ -175,7 +175,8 @@ const Emendation lost_f{
 
 ::: exercise
 Where is the balance when, by these formulae, P and Q hang at the same angle although they have the same
-constants? answer: Where the two tones together vanish; in the example at
+constants?
+answer: Where the two tones together vanish; in the example at
 $7\cos2\lambda t = 5\cos4\lambda t$, that is at $\cos2\lambda t = \frac1{20}(7-\sqrt{249})$, for the first
 time a little after λt = 58°. A check finds it.
 :::
