@@ -168,7 +168,7 @@ for (const { id } of edition.chapters)
 const book = {
   source,
   build,
-  live: !/^none/.test(json(path.join(build, 'made-with.json'))['live pages'] ?? 'none'),
+  live: !/^none/.test(json(path.join(build, 'made-with.json'))['live pages'] || 'none'),
   only,
   ...edition,
   version: /project\([^)]*VERSION ([\d.]+)/.exec(read(path.join(source, 'CMakeLists.txt')))?.[1] ?? '',

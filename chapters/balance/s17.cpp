@@ -29,8 +29,9 @@ $$ p = \tfrac12M\cos\bigl(\alpha-\gamma+(\mu-\lambda)t\bigr)
 
 where $M$ is not the weight of the beam. Each of the two cosines must satisfy the equation by itself:
 
-$$ 0 = \frac{M(\mu-\lambda)^2}{2\mu\mu} - \tfrac12M + \frac{a\mathfrak A\mathfrak C}{2f},\qquad
-   0 = \frac{N(\mu+\lambda)^2}{2\mu\mu} - \tfrac12N - \frac{a\mathfrak A\mathfrak C}{2f}. \tag{4} $$
+$$ \begin{aligned} 0 &= \frac{M(\mu-\lambda)^2}{2\mu\mu} - \tfrac12M + \frac{a\mathfrak A\mathfrak C}{2f},\\
+   0 &= \frac{N(\mu+\lambda)^2}{2\mu\mu} - \tfrac12N - \frac{a\mathfrak A\mathfrak C}{2f}.
+\end{aligned} \tag{4} $$
 
 Since $\mu\mu - (\mu\mp\lambda)^2 = \pm\lambda(2\mu\mp\lambda)$, there follow
 
@@ -142,16 +143,15 @@ TELL
 /*!
 {{table missed}}
 
-For the first swings what is missing is of the second order of the beam's angle; later it grows with the
-time, since the equation's own mean frequency is not quite μ ({{sec balance.15}}), and the formula's is.
+The table compares the formula with the equation followed step by step. What is missing does not grow
+steadily with the time.
 
 ::: figure balance-17
 alt: M and N over the product of the amplitudes and a over b, against the ratio of the frequencies. Both
 start at zero; N rises slowly to two thirds at 4, M rises steeply to infinity at 2 and comes back from below.
 
 The strength of the two tones, $M$ and $N$ in units of $\mathfrak A\mathfrak Ca/b$. Euler's example has
-$\lambda =
-\tfrac13\mu$; he takes λ to be much smaller still.
+$\lambda = \tfrac13\mu$; he takes λ to be much smaller still.
 :::
 
 ## Checks

@@ -28,16 +28,17 @@ $$ \begin{aligned}
 
 Each pair of fractions can be drawn together, since
 
-$$ \frac1{2\mu-\lambda} - \frac1{2\mu+\lambda} = \frac{2\lambda}{4\mu\mu-\lambda\lambda}, \qquad
+$$ \begin{aligned}
+   \frac1{2\mu-\lambda} - \frac1{2\mu+\lambda} &= \frac{2\lambda}{4\mu\mu-\lambda\lambda},\\
    \frac{\mu-\lambda}{2\mu-\lambda} - \frac{\mu+\lambda}{2\mu+\lambda}
-     = \frac{-2\lambda\mu}{4\mu\mu-\lambda\lambda}. \tag{2} $$
+     &= \frac{-2\lambda\mu}{4\mu\mu-\lambda\lambda}. \end{aligned} \tag{2} $$
 
 So one and the same fraction {{entry four_squares}} stands in all four, with alternating signs:
 
 $$ \begin{aligned}
 \text{I.}\quad 0 &= \sin\alpha\,(1 + K), & \text{III.}\quad 0 &= \cos\alpha\,(1 - K),\\
-\text{II.}\quad 0 &= \sin\beta\,(1 - K), & \text{IV.}\quad 0 &= \cos\beta\,(1 + K),
-\end{aligned} \qquad K = \frac{\lambda\lambda\mu\mu am}{2g(4\mu\mu-\lambda\lambda)}. \tag{3} $$
+\text{II.}\quad 0 &= \sin\beta\,(1 - K), & \text{IV.}\quad 0 &= \cos\beta\,(1 + K),\\
+&& K &= \frac{\lambda\lambda\mu\mu am}{2g(4\mu\mu-\lambda\lambda)}. \end{aligned} \tag{3} $$
 
 It seems, he says, that they can be met in several ways; the next section runs through some of them. The
 letter $K$ is ours; he writes the fraction out each time.

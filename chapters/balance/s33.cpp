@@ -26,10 +26,10 @@ $$ \begin{aligned}
 and with these speeds {{entry second_member}}:
 
 $$ \begin{aligned}
-\frac{d\eta}{dt} &= -\mu n\sin\mu t - \frac{(\mu-\lambda)imn}{2\mu-\lambda}\sin(\mu-\lambda)t
-  + \frac{(\mu+\lambda)imn}{2\mu+\lambda}\sin(\mu+\lambda)t,\\
-\frac{d\vartheta}{dt} &= -\mu n'\sin\mu t + \frac{(\mu-\lambda)imn'}{2\mu-\lambda}\sin(\mu-\lambda)t
-  - \frac{(\mu+\lambda)imn'}{2\mu+\lambda}\sin(\mu+\lambda)t,\\
+\frac{d\eta}{dt} &= -\mu n\sin\mu t - \frac{(\mu-\lambda)imn}{2\mu-\lambda}\sin(\mu-\lambda)t\\
+  &\qquad + \frac{(\mu+\lambda)imn}{2\mu+\lambda}\sin(\mu+\lambda)t,\\
+\frac{d\vartheta}{dt} &= -\mu n'\sin\mu t + \frac{(\mu-\lambda)imn'}{2\mu-\lambda}\sin(\mu-\lambda)t\\
+  &\qquad - \frac{(\mu+\lambda)imn'}{2\mu+\lambda}\sin(\mu+\lambda)t,\\
 \frac{d\omega}{dt} &= -\lambda m\sin\lambda t.
 \end{aligned} \tag{3} $$
 

@@ -21,9 +21,9 @@ $n'$ about ten degrees, that is, in parts of the radius, a sixth {{entry sixth}}
 $$ \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\} = \tfrac16\cos3t
    \pm\left(\tfrac1{720}\cos2t - \tfrac1{1008}\cos4t\right), \qquad \omega = \tfrac16\cos t, \tag{2} $$
 
-$$ \left.\begin{matrix}d\eta:dt\\ d\vartheta:dt\end{matrix}\right\} = -\tfrac12\sin3t
-   \mp\left(\tfrac1{360}\sin2t - \tfrac1{252}\sin4t\right),
-   \qquad \frac{d\omega}{dt} = -\tfrac16\sin t; \tag{3} $$
+$$ \begin{gathered} \left.\begin{matrix}d\eta:dt\\ d\vartheta:dt\end{matrix}\right\} = -\tfrac12\sin3t
+   \mp\left(\tfrac1{360}\sin2t - \tfrac1{252}\sin4t\right),\\
+   \frac{d\omega}{dt} = -\tfrac16\sin t; \end{gathered} \tag{3} $$
 
 only that he has $\tfrac1{1080}$ for $\tfrac1{1008}$ and $\tfrac1{270}$ {{entry slip}} for $\tfrac1{252}$. The
 second is four times the first: so he reckoned with it, and no printer has changed it. The divisor

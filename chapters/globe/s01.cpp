@@ -22,8 +22,8 @@ Let $y$ be measured upwards and $z$ along the axis, both from the centre of grav
 turns about that axis with the angular velocity $w$, every particle pulls outwards with $ww$ times its mass
 and distance from the axis. About $G$ these pulls have the moment
 
-$$ ww\sum m\,yz \quad\text{about the line of the way,}\qquad ww\sum m\,xz \quad\text{about the vertical,}
-   \tag{A} $$
+$$ \begin{aligned} ww&\sum m\,yz \quad\text{about the line of the way,}\\
+   ww&\sum m\,xz \quad\text{about the vertical,} \end{aligned} \tag{A} $$
 
 and the forces at the point of contact could have such a moment only if one of them acted sideways, which
 would push $G$ out of its way. So both sums must vanish: the axis through $G$ must be a *principal axis*. A

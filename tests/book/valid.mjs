@@ -32,6 +32,10 @@ for (const page of pages) {
   const description = /<meta name="description" content="([^"]*)"/.exec(html)?.[1] ?? '';
   if (description.length < 10 || /^[✓✗†‡⁕◇]|\\/.test(description)) faults.push(`${page}: the description "${description}"`);
 }
+// What a reader can touch works: without the live modules no page offers to run anything.
+const live = fs.existsSync(path.join(site, 'live/live.js'));
+const touched = pages.filter((f) => /class="(again|field|controls)"/.test(fs.readFileSync(path.join(site, f), 'utf8')));
+if (!live) for (const page of touched) faults.push(`${page}: fields or a button that nothing answers`);
 console.log(`${pages.length} pages, ${faults.length} faults`);
 if (!pages.length || faults.length) {
   console.error(faults.slice(0, 200).join('\n'));
