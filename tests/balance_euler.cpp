@@ -113,6 +113,23 @@ TEST_CASE("the five equations solved as they stand give the accelerations of the
   CHECK(at.y1 == within(Fifty("3.801213503678693596016467558"), 1e-15, "the same"));
 }
 
+TEST_CASE("an instrument and a state in fifty digits are those in doubles, rounded less")
+{
+  for(const Instrument& x : {instrument_of_35, light_pans, Instrument{2, 3, -1e-9, 0.7, 1e5, 1e-3, 4.9}})
+  {
+    const Balance<> b = numbers_of(x);
+    const Balance<Fifty> wide = widened(x);
+    CHECK(b.lambda2 == within_relative(wide.lambda2, 1e-15, "eight roundings"));
+    CHECK(b.mu2 == within_relative(wide.mu2, 1e-15, "a quotient"));
+    CHECK(b.beta == within_relative(wide.beta, 1e-15, "a quotient"));
+    CHECK(b.rho == within_relative(wide.rho, 1e-15, "eight roundings"));
+  }
+  CHECK_THROWS_AS(widened(Instrument{0, 1, 1, 1, 1, 1, 1}), std::domain_error);
+  const State<Fifty> now = widened(State<>{{1, 2, 3}, {4, 5, 6}});
+  CHECK((now.at.omega == 1 && now.at.eta == 2 && now.at.theta == 3));
+  CHECK((now.rate.omega == 4 && now.rate.eta == 5 && now.rate.theta == 6));
+}
+
 TEST_CASE("the consistent second order leaves cubes of the exact accelerations, Euler's squares")
 {
   const Balance<Fifty> b{1.21, 7.3, 0.6, 0.3};

@@ -34,6 +34,14 @@ Quantities quantities_of(const Instrument& x)
   return q;
 }
 
+Balance<exact::Fifty> widened(const Instrument& x)
+{
+  numbers_of(x);
+  const exact::Fifty G = 2 * exact::Fifty(x.g), M = x.M, Laa = exact::Fifty(x.L) * x.a * x.a;
+  const exact::Fifty inertia = M * (exact::Fifty(x.kk) + exact::Fifty(x.c) * x.c) + 2 * Laa;
+  return {G * M * x.c / inertia, G / x.b, exact::Fifty(x.a) / x.b, Laa / inertia};
+}
+
 Least least_f(const Instrument& x)
 {
   numbers_of(x);

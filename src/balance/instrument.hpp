@@ -35,6 +35,16 @@ struct Quantities
 /// @throws std::domain_error as numbers_of() does
 Quantities quantities_of(const Instrument& instrument);
 
+/// The four numbers in fifty digits, for exactly the doubles given. @throws std::domain_error as numbers_of() does
+Balance<exact::Fifty> widened(const Instrument& instrument);
+
+/// A state in fifty digits, for exactly the doubles given.
+inline State<exact::Fifty> widened(const State<>& now)
+{
+  const auto& [at, rate] = now;
+  return {{at.omega, at.eta, at.theta}, {rate.omega, rate.eta, rate.theta}};
+}
+
 /// The c for which f is least, and that f, 2c: c = √(kk + 2Laa/M) (§14).
 struct Least
 {
