@@ -39,8 +39,8 @@ With the angles go their rates. Differentiated once, {{eq 3}} and {{eq 4}} give 
 $$ \dot x = -a\dot\omega\sin\omega + b\dot\eta\cos\eta, \quad
    \dot y = -b\dot\eta\sin\eta - a\dot\omega\cos\omega, \tag{A} $$
 
-and those of Q with the same two changes of sign. These are the places where beam and string work on each other: for
-small angles the beam enters $\dot y$ at the first order, $\dot x$ only at the second.
+and those of Q with the same two changes of sign. These are the places where beam and string work on each
+other: for small angles the beam enters $\dot y$ at the first order, $\dot x$ only at the second.
 
 ## The program
 
@@ -241,6 +241,7 @@ const Emendation from_B{"§6, whence the normals of the other pan are drawn",
 ## Notes
 
 Two sums show what is hidden in the signs: $x + x' = 2a\cos\omega + b(\sin\eta - \sin\vartheta)$ and
-$y + y' = b(\cos\eta + \cos\vartheta)$. The beam's inclination drops out of the second altogether, and remains in the
-first only by its square. Whatever the beam does to both pans in common is of the second order.
+$y + y' = b(\cos\eta + \cos\vartheta)$. The beam's inclination drops out of the second altogether, and
+remains in the first only by its square. Whatever the beam does to both pans in common is of the second
+order.
 */

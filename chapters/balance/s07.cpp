@@ -10,10 +10,10 @@ using namespace balance;
 ## What Euler does
 
 Two forces act on the pan P, its weight and the pull of its string, and Newton's law gives two equations.
-Gravity urges it downward {{entry urged}} with the force $L$. The string $AP$ pulls it along itself with a force that is
-not known beforehand; Euler calls it $P$, like the pan. It is resolved into a vertical part $P\cos\eta$
-upward, and a horizontal part $P\sin\eta$, which drives the pan towards $C$. So the pan is urged upward
-with $P\cos\eta - L$, and its motion is determined by
+Gravity urges it downward {{entry urged}} with the force $L$. The string $AP$ pulls it along itself with a
+force that is not known beforehand; Euler calls it $P$, like the pan. It is resolved into a vertical part
+$P\cos\eta$ upward, and a horizontal part $P\sin\eta$, which drives the pan towards $C$. So the pan is urged
+upward with $P\cos\eta - L$, and its motion is determined by
 
 $$ \text{I.}\quad \frac{ddx}{2g\,dt^2{{entry two_g}}} = -\frac{P\sin\eta}L, \qquad
    \text{II.}\quad \frac{ddy}{2g\,dt^2} = \frac{L - P\cos\eta}L. \tag{1} $$
@@ -32,8 +32,8 @@ $$ \frac PL = \cos\eta + \frac{b\,\dot\eta^2 + a\,\ddot\omega\cos(\omega-\eta)
 ## The program
 
 The acceleration $\ddot\omega$ of the beam depends on both pans. Here it is taken from the equations without
-tensions ({{sec balance.10}}), which come from the energies alone; with it the pull is {{eq A}}, and the forces
-are {{eq 1}}.
+tensions ({{sec balance.10}}), which come from the energies alone; with it the pull is {{eq A}}, and the
+forces are {{eq 1}}.
 
 ::: code balance/instrument.hpp tensions
 :::
@@ -94,12 +94,13 @@ In the state given the string pulls with {{P|5}} of the pan's weight; the pan is
 gravity outward and by {{ddy|3}} downward.
 
 ::: figure balance-07
-alt: Two curves over one swing of the beam. The horizontal part of the pull swings about zero between plus and minus a third
-of the weight, three times. The vertical part stays near one, and rises and falls twice as often.
+alt: Two curves over one swing of the beam. The horizontal part of the pull swings about zero between plus
+and minus a third of the weight, three times. The vertical part stays near one, and rises and falls twice as
+often.
 
-The two parts of the pull in weights of the pan, for the balance of {{sec balance.35}} let go at $\omega = 10°$,
-$\eta = \vartheta = 20°$. The horizontal part follows the angle; the vertical one, which alone can turn a level beam,
-goes up and down with its square, and with the beam.
+The two parts of the pull in weights of the pan, for the balance of {{sec balance.35}} let go at
+$\omega = 10°$, $\eta = \vartheta = 20°$. The horizontal part follows the angle; the vertical one, which
+alone can turn a level beam, goes up and down with its square, and with the beam.
 :::
 
 ## Checks

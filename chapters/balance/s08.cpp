@@ -23,7 +23,7 @@ is counted outward, that is to the side of $B$, while ϑ, like η, is counted to
 A string that leans by a positive ϑ pulls its pan outward.
 
 ::: margin
-Today $g$ is twice that height: 32.17 ft/s², not 16.09 ft.
+Today $g$ is twice that height: 32.17 ft/s², not {{todays_height|4}} ft.
 :::
 
 The two pans are images of each other. In a mirror that exchanges the sides, $A$ with $B$, the motion
@@ -101,12 +101,13 @@ The pan Q is pulled by {{Q|5}} of its weight, outward by {{outward|4}} of gravit
 ({{sec balance.35}}) for the height fallen are {{todays_height|5}} feet today.
 
 ::: figure balance-08
-alt: The outward acceleration of Q over one swing of the beam. The curve is flat near zero at first, since the pan starts
-at rest, and then swings with a changing strength. Small points from the positions lie on the line from the pull.
+alt: The outward acceleration of Q over one swing of the beam. The curve is flat near zero at first, since
+the pan starts at rest, and then swings with a changing strength. Small points from the positions lie on the
+line from the pull.
 
-The pan Q, let go hanging straight down while the beam begins at 10°, P at 20°. Its outward acceleration in parts of
-gravity by III: the line; by taking its place every two degrees and forming second differences: the points. A pan
-that {{sec balance.28}} leaves at rest for ever is already moving.
+The pan Q, let go hanging straight down while the beam begins at 10°, P at 20°. Its outward acceleration in
+parts of gravity by III: the line; by taking its place every two degrees and forming second differences: the
+points. A pan that {{sec balance.28}} leaves at rest for ever is already moving.
 :::
 
 ## Checks
@@ -177,11 +178,11 @@ CHECK_THAT("in the figure the second differences of the place are the pull's acc
 ## Go on from here
 
 ::: exercise
-Hang the balance at rest with both strings vertical and the beam at 30°, and read the pulls. Which pan is heavier in the
-hand?
+Hang the balance at rest with both strings vertical and the beam at 30°, and read the pulls. Which pan is
+heavier in the hand?
 
-answer: With `--omega 30 --eta 0 --theta 0` and no rates Q pulls with more than its weight: B is low and begins to rise,
-and the pan must be accelerated upward with it.
+answer: With `--omega 30 --eta 0 --theta 0` and no rates Q pulls with more than its weight: B is low and
+begins to rise, and the pan must be accelerated upward with it.
 :::
 */
 
