@@ -65,8 +65,7 @@ TELL
   const ReleaseOf<Fifty> r = given();
   require(r.lambda != 2 * r.mu && r.mu != 2 * r.lambda, "lambda", "neither 2 mu nor half of mu");
   require(lambda <= 1e9 && mu <= 1e9, "lambda", "with mu at most 1e9");
-  const Fifty K = 2 * r.i * r.lambda * r.at.omega / ((2 * r.mu - r.lambda) * (2 * r.mu + r.lambda));
-  require(abs(K) < 0.9, "i", "such that K is below 0.9, and the formula some approximation");
+  require(abs(K_of(r)) < 0.9, "i", "such that K is below 0.9, and the formula some approximation");
   const Angles<Fifty> at = euler<Fifty>(r, t.fifty()), rate = euler_rates<Fifty>(r, t.fifty()),
                       from = euler_start<Fifty>(r), own = euler_corrected<Fifty>(r, t.fifty()),
                       second = second_order<Fifty>(r, t.fifty());

@@ -176,11 +176,18 @@ Angles<Number> euler_rates(const ReleaseOf<Number>& r, const Number& t)
           -n1 * (alone - strays)};
 }
 
+/// The same K by the letters of §33.
+template <class Number>
+Number K_of(const ReleaseOf<Number>& r)
+{
+  return 2 * r.i * r.lambda * r.at.omega / ((2 * r.mu - r.lambda) * (2 * r.mu + r.lambda));
+}
+
 /// Where euler() starts: m, n(1 + K), n′(1 − K), and not m, n, n′.
 template <class Number>
 Angles<Number> euler_start(const ReleaseOf<Number>& r)
 {
-  const Number K = 2 * r.i * r.lambda * r.at.omega / ((2 * r.mu - r.lambda) * (2 * r.mu + r.lambda));
+  const Number K = K_of(r);
   return {r.at.omega, r.at.eta + r.at.eta * K, r.at.theta - r.at.theta * K};
 }
 

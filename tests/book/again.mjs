@@ -8,7 +8,8 @@ import path from 'node:path';
 const [source, build, doxygen] = process.argv.slice(2);
 const other = fs.mkdtempSync(path.join(os.tmpdir(), 'again-'));
 try {
-  for (const what of ['told', 'drawn', 'programs.txt', 'made-with.json', 'other-systems.json', 'html/fonts'])
+  const said = fs.readdirSync(build).filter((name) => /\.(json|txt)$/.test(name)); // by the build, for the weaver
+  for (const what of ['told', 'drawn', 'html/fonts', ...said])
     fs.cpSync(path.join(build, what), path.join(other, what), { recursive: true });
   fs.writeFileSync(
     path.join(other, 'Doxyfile'),
