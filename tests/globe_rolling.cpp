@@ -342,6 +342,41 @@ TEST_CASE("the friction beyond which scraping is not determined")
   }
 }
 
+TEST_CASE("what has no dimension is the same to the bit in every measure of length")
+{
+  for(const double unit : {0x1p-330, 0x1p330})
+  {
+    const Ball<double> b{ball.a * unit, ball.c * unit, ball.k * unit};
+    const auto e = energy(3.0);
+    CHECK(rolling::pressure(b, e, place(1.0)) == rolling::pressure(ball, e, place(1.0)));
+    CHECK(rolling::friction(b, e, place(1.0)) == rolling::friction(ball, e, place(1.0)));
+    CHECK(rolling::greatest_friction(b, e).lambda == rolling::greatest_friction(ball, e).lambda);
+    CHECK(rolling::loss_of_pressure(b).h == rolling::loss_of_pressure(ball).h);
+    CHECK(rolling::painleve(b).mu == rolling::painleve(ball).mu);
+    CHECK(rolling::windows(b, 0.3).front().to == rolling::windows(ball, 0.3).front().to);
+  }
+}
+
+TEST_CASE("the accelerations of rolling are those with the friction that it needs, and G keeps up with the "
+          "contact")
+{
+  for(const Ball<Fifty>& b : {exact_ball, cradle<Fifty>})
+    for(const Fifty& Phi : {Fifty("0.3"), Fifty("1.7"), Fifty(3)})
+    {
+      const Fifty g = Fifty("0.7"), w = Fifty("1.3");
+      const auto rolls = rolling_accelerations(b, g, Phi, w);
+      const Fifty lambda = -rolls.x / (2 * g * rolls.pressure);
+      const auto scrapes = accelerations(b, g, Phi, w, lambda);
+      CHECK(rolls.Phi == within(scrapes.Phi, 1e-45, "fifty digits"));
+      CHECK(rolls.x == within(scrapes.x, 1e-45, "fifty digits"));
+      CHECK(rolls.y == within(scrapes.y, 1e-45, "fifty digits"));
+      CHECK(rolls.pressure == within(scrapes.pressure, 1e-45, "fifty digits"));
+      // §3: dds = ddx + c ddΦ cos Φ − c dΦ² sin Φ
+      CHECK(scrapes.x + b.c * scrapes.Phi * cos(Phi) - b.c * w * w * sin(Phi)
+            == within(b.a * scrapes.Phi, 1e-45, "fifty digits"));
+    }
+}
+
 TEST_CASE("a rolling ball that makes no sense is refused")
 {
   CHECK_THROWS_AS(rolling::quarter(Ball<double>{0, 0.1, 0.6}, energy(0.5)), std::domain_error);

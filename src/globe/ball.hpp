@@ -76,4 +76,20 @@ Accelerations<Real> accelerations(const Ball<Real>& ball, const Real& g, const R
   return {-2 * g * lambda * pressure, 2 * g * (pressure - 1), 2 * g * pressure * arm / (k * k), pressure};
 }
 
+/// The accelerations of a ball that rolls, ds = a dΦ: the equation of §9, which friction and pressure have left,
+/// and the second differentials of §3. The friction over the weight is then −x/2g, and λ that over the pressure.
+/// Domain: c w w finite, and k > 0 or the centre of gravity not at the contact. Nothing is thrown. Rounding: a
+/// few ulps of each summand.
+template <class Real>
+Accelerations<Real> rolling_accelerations(const Ball<Real>& ball, const Real& g, const Real& Phi,
+                                          const Real& w)
+{
+  using std::cos, std::sin;
+  const auto& [a, c, k] = ball;
+  const Real s = sin(Phi), u = cos(Phi);
+  const Real turning = -(2 * g * c + a * c * w * w) * s / (a * a + c * c + k * k - 2 * a * c * u);
+  const Real x = turning * (a - c * u) + c * w * w * s, y = c * turning * s + c * w * w * u;
+  return {x, y, turning, 1 + y / (2 * g)};
+}
+
 }  // namespace globe

@@ -58,6 +58,13 @@ Energy<Real> energy_from_top(const Real& below)
   return e;
 }
 
+/// From 1 − h where that is not 0, else from h: as a reader gives it.
+template <class Real>
+Energy<Real> energy_given(const Real& h, const Real& from_top)
+{
+  return from_top == 0 ? energy(h) : energy_from_top(from_top);
+}
+
 /// From the amplitude Φ of a ball that rocks, 0 ≤ Φ ≤ π.
 template <class Real>
 Energy<Real> energy_of_amplitude(const Real& Phi)

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "elliptic/carlson.hpp"
@@ -25,6 +26,17 @@ void require_ball(const Ball<Real>& ball)
   const Real limit = 1e20 * sqrt(bb(ball));
   if(!(ball.a > 0 && ball.c > 0 && ball.k > 0 && ball.a <= limit && ball.c <= limit && limit < 1e150))
     throw std::domain_error("the rolling ball needs a, c, k > 0 and a, c ≤ 10²⁰ b");
+}
+
+// The same ball in a measure of its own, about the largest of its lengths: of the powers that follow none is too
+// large or too small. In double the measure is a power of two, and no digit changes.
+template <class Real>
+Ball<Real> measured(const Ball<Real>& ball)
+{
+  Real unit = std::max({ball.a, ball.c, ball.k});
+  if constexpr(std::is_same_v<Real, double>)
+    unit = std::ldexp(1.0, std::ilogb(unit));
+  return {ball.a / unit, ball.c / unit, ball.k / unit};
 }
 
 // The formula, from sin ½Φ over √h and what the squares of it and of sin ½Φ lack of 1.
@@ -56,8 +68,9 @@ struct Polynomials
   using P = std::vector<Real>;
   P Q0, Q1, L0, L1;
 
-  explicit Polynomials(const Ball<Real>& ball)
+  explicit Polynomials(const Ball<Real>& given)
   {
+    const Ball<Real> ball = measured(given);
     const Real a = ball.a, c = ball.c;
     const P D{bb(ball), 4 * a * c}, y{a - c, 2 * c}, u{1, -2}, w{0, 1}, w_rest{0, 1, -1};
     // Q = DD − 4ccN w(1 − w) + 4ccu(h − w)D and L = yN − 4c(h − w)D, with N = bb + 4ach
@@ -203,15 +216,17 @@ Real velocity_squared(const Ball<Real>& ball, const Energy<Real>& e, const Place
 namespace
 {
 
-// D, and Q and L by products: h − ϖ and N = bb + 4ach are formed without subtraction.
+// c, D, and Q and L by products, in the ball's own measure: h − ϖ and N = bb + 4ach are formed without subtraction.
 template <class Real>
 struct Borne
 {
-  Real D, Q, L, sine;
+  Real c, D, Q, L, sine;
 
-  Borne(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& place)
+  Borne(const Ball<Real>& given, const Energy<Real>& e, const Place<Real>& place)
   {
-    const auto& [a, c, k] = ball;
+    const Ball<Real> ball = measured(given);
+    const Real a = ball.a;
+    c = ball.c;
     const Real ss = place.s * place.s, tt = place.c * place.c, u = tt - ss;
     const Real left = left_for_motion(e, place);
     const Real N = bb(ball) + 4 * a * c * e.h;
@@ -235,7 +250,7 @@ template <class Real>
 Real friction(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& place)
 {
   const Borne<Real> borne(ball, e, place);
-  return ball.c * borne.sine * (borne.L / borne.Q);
+  return borne.c * borne.sine * (borne.L / borne.Q);
 }
 
 template <class Real>
@@ -279,14 +294,14 @@ class Limit
 {
 public:
   Limit(const Ball<double>& ball, double mu, double sigma)
-      : all_(ball), c_(ball.c), a_(ball.a), kk_(ball.k * ball.k), mu_(mu), sigma_(sigma)
+      : all_(ball), ball_(measured(ball)), mu_(mu), sigma_(sigma)
   {
   }
 
   // The h at which just so much friction is needed, and whether with more energy it needs more.
   std::pair<double, bool> bound(double Phi) const
   {
-    const double w = std::pow(std::sin(Phi / 2), 2), s = sigma_ * c_ * std::sin(Phi);
+    const double w = std::pow(std::sin(Phi / 2), 2), s = sigma_ * ball_.c * std::sin(Phi);
     const double alpha = mu_ * value_of(all_.Q0, w) - s * value_of(all_.L0, w);
     const double beta = mu_ * value_of(all_.Q1, w) - s * value_of(all_.L1, w);
     return {-alpha / beta, beta < 0};
@@ -295,8 +310,8 @@ public:
   // What is left of the friction at rest at this angle; there λ = c sin Φ y/(kk + yy).
   double left_at_rest(double Phi) const
   {
-    const double y = a_ - c_ + 2 * c_ * std::pow(std::sin(Phi / 2), 2);
-    return mu_ * (kk_ + y * y) - sigma_ * c_ * std::sin(Phi) * y;
+    const double y = ball_.a - ball_.c + 2 * ball_.c * std::pow(std::sin(Phi / 2), 2);
+    return mu_ * (ball_.k * ball_.k + y * y) - sigma_ * ball_.c * std::sin(Phi) * y;
   }
 
   Forbidden at(double Phi) const
@@ -311,7 +326,8 @@ public:
 
 private:
   Polynomials<double> all_;
-  double c_, a_, kk_, mu_, sigma_;
+  Ball<double> ball_;
+  double mu_, sigma_;
 };
 
 // The least of f between two angles that enclose it, also where f has a kink or is infinite beyond.
@@ -388,9 +404,10 @@ std::vector<Window> windows(const Ball<double>& ball, double mu)
 }
 
 template <class Real>
-Loss<Real> loss_of_pressure(const Ball<Real>& ball)
+Loss<Real> loss_of_pressure(const Ball<Real>& given)
 {
-  require_ball(ball);
+  require_ball(given);
+  const Ball<Real> ball = measured(given);
   const Polynomials<Real> all(ball);
   const auto h_at = [&](const Real& w) { return Real(-value_of(all.Q0, w) / value_of(all.Q1, w)); };
   const Real a = ball.a, c = ball.c;
@@ -408,10 +425,11 @@ Loss<Real> loss_of_pressure(const Ball<Real>& ball)
 }
 
 template <class Real>
-Painleve<Real> painleve(const Ball<Real>& ball)
+Painleve<Real> painleve(const Ball<Real>& given)
 {
   using std::abs;
-  require_ball(ball);
+  require_ball(given);
+  const Ball<Real> ball = measured(given);
   const auto& [a, c, k] = ball;
   // The greatest of sin Φ y/(kk + cc sin²Φ), y = a − c cos Φ: where ½ sin Φ times the derivative by w of both,
   // and u = cos Φ, that of sin Φ, balance. With w = sin² ½Φ in the lower half and cos² ½Φ in the upper.
