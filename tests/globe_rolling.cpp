@@ -114,7 +114,7 @@ TEST_CASE("in double times keep what they promise, from the smallest swing to th
       const Energy<Fifty> exact_e{1 - Fifty(below), below};
       const Fifty exact = rolling::quarter(exactly(b), exact_e);
       worst = std::max(worst, exact::ulps(rolling::quarter(b, e), exact));
-      if(below > 0.4 && below < 1 && 4 * b.a * b.c < 1e5 * bb(b))
+      if(below > 0.4 && below < 1)
       {
         const Fifty excess = exact / (exact::pi() / 2 * sqrt(bb(exactly(b)))) - 1;
         worst_excess = std::max(worst_excess, exact::ulps(rolling::excess(b, e), excess));
@@ -132,7 +132,7 @@ TEST_CASE("in double times keep what they promise, from the smallest swing to th
       }
     }
   CHECK(worst <= 8);
-  CHECK(worst_excess <= 8);
+  CHECK(worst_excess <= 10);
   CHECK(worst_on_the_way <= 8);
   CHECK(rolling::excess(ball, energy(1e-20))
         == within_relative(Fifty("3.35470085470085470087142059774e-21"), 1e-15, bound));

@@ -6,7 +6,9 @@
 /// the motion. Lengths are in any unit, times in seconds, angles in radians.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace globe
 {
@@ -46,6 +48,18 @@ template <class Real>
 Real BB(const Ball<Real>& ball)
 {
   return (ball.a + ball.c) * (ball.a + ball.c) + ball.k * ball.k;
+}
+
+/// The same ball in a measure of its own, about the largest of its lengths: of the powers that are formed with it
+/// none is too large or too small. In double the measure is a power of two, and no digit changes as long as the
+/// lesser lengths stay above 1e-300 of it. Domain: some length positive, all finite.
+template <class Real>
+Ball<Real> in_own_measure(const Ball<Real>& ball)
+{
+  Real unit = std::max({ball.a, ball.c, ball.k});
+  if constexpr(std::is_same_v<Real, double>)
+    unit = std::ldexp(1.0, std::ilogb(unit));
+  return {ball.a / unit, ball.c / unit, ball.k / unit};
 }
 
 /// The accelerations of G and of the angle, and what the plane bears.

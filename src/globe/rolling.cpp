@@ -4,7 +4,6 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 
 #include "elliptic/carlson.hpp"
@@ -26,17 +25,6 @@ void require_ball(const Ball<Real>& ball)
   const Real limit = 1e20 * sqrt(bb(ball));
   if(!(ball.a > 0 && ball.c > 0 && ball.k > 0 && ball.a <= limit && ball.c <= limit && limit < 1e150))
     throw std::domain_error("the rolling ball needs a, c, k > 0 and a, c ≤ 10²⁰ b");
-}
-
-// The same ball in a measure of its own, about the largest of its lengths: of the powers that follow none is too
-// large or too small. In double the measure is a power of two, and no digit changes.
-template <class Real>
-Ball<Real> measured(const Ball<Real>& ball)
-{
-  Real unit = std::max({ball.a, ball.c, ball.k});
-  if constexpr(std::is_same_v<Real, double>)
-    unit = std::ldexp(1.0, std::ilogb(unit));
-  return {ball.a / unit, ball.c / unit, ball.k / unit};
 }
 
 // The formula, from sin ½Φ over √h and what the squares of it and of sin ½Φ lack of 1.
@@ -70,7 +58,7 @@ struct Polynomials
 
   explicit Polynomials(const Ball<Real>& given)
   {
-    const Ball<Real> ball = measured(given);
+    const Ball<Real> ball = in_own_measure(given);
     const Real a = ball.a, c = ball.c;
     const P D{bb(ball), 4 * a * c}, y{a - c, 2 * c}, u{1, -2}, w{0, 1}, w_rest{0, 1, -1};
     // Q = DD − 4ccN w(1 − w) + 4ccu(h − w)D and L = yN − 4c(h − w)D, with N = bb + 4ach
@@ -158,6 +146,9 @@ double excess(const Ball<double>& ball, const Energy<double>& e)
   if(!(e.from_top > 0))
     throw std::domain_error("the excess is of a ball that rocks");
   const double q = 4 * ball.a * ball.c * e.h / bb(ball);
+  // With much of the ball's own in it the excess is no small quantity, and the mean would ask for many nodes.
+  if(q > 1e3)
+    return quarter(ball, e) / (std::numbers::pi / 2 * std::sqrt(bb(ball))) - 1;
   const double of_pendulum = pendulum_excess(e);
   const double of_ball =
       mean_over_quarter(e.from_top, [q](double s2, double, double) { return root_excess(q * s2); });
@@ -224,7 +215,7 @@ struct Borne
 
   Borne(const Ball<Real>& given, const Energy<Real>& e, const Place<Real>& place)
   {
-    const Ball<Real> ball = measured(given);
+    const Ball<Real> ball = in_own_measure(given);
     const Real a = ball.a;
     c = ball.c;
     const Real ss = place.s * place.s, tt = place.c * place.c, u = tt - ss;
@@ -294,7 +285,7 @@ class Limit
 {
 public:
   Limit(const Ball<double>& ball, double mu, double sigma)
-      : all_(ball), ball_(measured(ball)), mu_(mu), sigma_(sigma)
+      : all_(ball), ball_(in_own_measure(ball)), mu_(mu), sigma_(sigma)
   {
   }
 
@@ -407,7 +398,7 @@ template <class Real>
 Loss<Real> loss_of_pressure(const Ball<Real>& given)
 {
   require_ball(given);
-  const Ball<Real> ball = measured(given);
+  const Ball<Real> ball = in_own_measure(given);
   const Polynomials<Real> all(ball);
   const auto h_at = [&](const Real& w) { return Real(-value_of(all.Q0, w) / value_of(all.Q1, w)); };
   const Real a = ball.a, c = ball.c;
@@ -429,7 +420,7 @@ Painleve<Real> painleve(const Ball<Real>& given)
 {
   using std::abs;
   require_ball(given);
-  const Ball<Real> ball = measured(given);
+  const Ball<Real> ball = in_own_measure(given);
   const auto& [a, c, k] = ball;
   // The greatest of sin Φ y/(kk + cc sin²Φ), y = a − c cos Φ: where ½ sin Φ times the derivative by w of both,
   // and u = cos Φ, that of sin Φ, balance. With w = sin² ½Φ in the lower half and cos² ½Φ in the upper.

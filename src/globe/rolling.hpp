@@ -32,8 +32,7 @@ Real time(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& plac
 template <class Real>
 Real quarter(const Ball<Real>& ball, const Energy<Real>& e);
 
-/// quarter() over ½πb, less one, without cancellation. h < 1, else std::domain_error; NaN where 4ac exceeds
-/// 10⁵ bb. Error in double: 8 ulps.
+/// quarter() over ½πb, less one, without cancellation. h < 1, else std::domain_error. Error in double: 10 ulps.
 double excess(const Ball<double>& ball, const Energy<double>& e);
 
 /// The time at h = 1, which is elementary: B artanh(BV/√(bb + 4acVV)) − 2√(ac) arsinh(2√(ac) V/b), V = sin ½Φ.
