@@ -379,7 +379,8 @@ CHECK_THAT("for very small swings the given balance is at rest again, P for Q, a
   const auto all = modes(designed);
   REQUIRE(all.size() == 4);
   for(const std::size_t k : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}})
-    CHECK(all[k].frequency == within_relative(Fifty(std::array{5, 13, 20, 21}[k]) / 5, 1e-15, "the same"));
+    CHECK(all[k].frequency
+          == within_relative(Fifty(std::array{5, 13, 20, 21}[k]) / 5, 1e-15, "h, M and c are rounded"));
   CHECK(transfer(designed).time == within_relative(5 * exact::pi(), 2e-15, "h, M and c are rounded"));
   for(const double handovers : {1., 2., 1e6, 1e6 + 1})
   {

@@ -230,7 +230,7 @@ double depth_with(
 const Emendation from_B{"§6, whence the normals of the other pan are drawn",
                         {"from C", depth_with(0)},
                         {"from B", depth_with(std::sin(20_deg))},
-                        "from C itself no Bβ = a sin ω could be drawn, and Q would be too high",
+                        "from C itself no Bε = a sin ω could be drawn, and Q would be too high",
                         [](double depth) {
                           const Point B = turned({-1, 0}, Fifty(20) * exact::pi() / 180);
                           const Point Q = turned({0, -1}, Fifty(25) * exact::pi() / 180);
