@@ -130,8 +130,8 @@ A hundredth of a pan's weight tilts this balance by {{tilt|3}}, and its beam tak
 to side.
 
 ::: figure balance-02
-alt: A beam, its left end A lifted, turning about C. Below C the centre of gravity G. From A and B hang strings
-with weights P and Q, both leaning to the left. Thin lines: the horizontal through C with the feet p, alpha,
+alt: A beam, its left end A lifted, turning about C. Below C the centre of gravity G. From A and B hang
+strings with weights P and Q, both leaning to the left. Thin lines: the horizontal through C with the feet p, alpha,
 epsilon and q, the vertical through C, the verticals and normals of both pans.
 
 The figure of the paper (Tab. III, Fig. 2), drawn anew from its letters. $CG$ is drawn too long. ε is the foot
@@ -277,8 +277,8 @@ CHECK_THAT("the plate has the paper's lengths, angles and right angles")
 }
 
 /*!
-Our copy calls the time $k$. That letter is taken by the radius of gyration in the next section, and from {{sec
-balance.07}} on the time is $t$.
+Our copy calls the time $k$. That letter is taken by the radius of gyration in the next section, and from
+{{sec balance.07}} on the time is $t$.
 */
 
 double fallen(double time)  // in heights g, under II of § 7 with the string cut: ddy = 2g dt²
@@ -300,8 +300,8 @@ const Emendation time_letter{
 Make the balance of the figure show a tenth of the overweight as it now shows the whole. How long is its swing
 then?
 
-answer: With `--c 0.01 --overweight 0.0005` the tilt is the same, and the time has grown by the root of ten, but
-for the little that $cc$ adds to $kk$.
+answer: With `--c 0.01 --overweight 0.0005` the tilt is the same, and the time has grown by the root of ten,
+but for the little that $cc$ adds to $kk$.
 :::
 */
 
