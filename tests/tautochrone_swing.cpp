@@ -389,3 +389,34 @@ TEST_CASE("GZ, GH, the forces: the worked point, the limits, and differences of 
   CHECK(across(on, k)
         == within(k * k * sin(angle) / (1 + k * k), 1e-48, "the reaction across a rigid rod"));
 }
+
+TEST_CASE("a place on any cheeks: r, its shortening and c − x are those of the series; two weights move so")
+{
+  for(const double k : {0.02, 0.1, 0.3})
+    for(const Cheeks cheeks : all)
+      for(const double phi0 : {1e-8, 0.2, 0.8})
+        for(const double part : {0.0, 1e-9, 0.5, 1 - 1e-12, 1.0})
+        {
+          const double phi = phi0 * part;
+          const Laurent<Fifty> r = radius_on(cheeks, k), falling = integral(r), dr = derivative(r);
+          const Fifty c = cos(Fifty(phi));
+          const auto got = on_cheeks(cheeks, k, phi0, phi);
+          CHECK(got.r == within(r(c), 1e-14 * (1 + k * k * 40), "stated"));
+          CHECK(got.shortening == within_relative(dr(c), 1e-14, "stated, and dr/dφ is −sin φ dr/dc"));
+          const Fifty rise = falling(c) - falling(cos(Fifty(phi0)));
+          CHECK(got.to_rise == within_relative(rise, 3e-14, "the sum of the terms is at most thrice it"));
+        }
+  const Fifty k("0.3"), most("0.6"), angle("0.4");
+  for(const Cheeks cheeks : {Cheeks::none, Cheeks::cycloids, Cheeks::euler_kk, Cheeks::euler_k4})
+  {
+    const Laurent<Fifty> r = radius_on(cheeks, k);
+    const auto at_ = on_cheeks(cheeks, k, most, angle);
+    const Fifty w = turning2_by_motion(r, k, most, angle);
+    const Accelerations of = accelerations(r, k, w, angle);
+    CHECK(w == within_relative(turning2(at_, k), 1e-25, "stated"));
+    CHECK(of.turning == within_relative(twice_acceleration(at_, k), 1e-24, "stated"));
+    CHECK(-of.across == within_relative(force(at_, k), 1e-24, "stated"));
+    CHECK(cos(angle) + of.along == within_relative(tension(at_, k), 1e-24, "stated"));
+    CHECK(-of.turning * k * k / force(at_, k) == within_relative(GZ(at_, k), 1e-24, "stated"));
+  }
+}

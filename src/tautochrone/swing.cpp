@@ -59,20 +59,52 @@ Fifty excess(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& phi0)
   return excess([&](const Fifty& phi) { return r(cos(phi)); }, x, k, phi0);
 }
 
-Fifty turning2_by_motion(const Fifty& k, const Fifty& phi0, const Fifty& phi)
+Fifty turning2_by_motion(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& phi0,
+                         const Fifty& phi)
 {
   const Fifty kk = k * k;
   if(!(k >= Fifty("1e-20") && k <= Fifty("1e20") && phi >= 0 && phi0 > 0 && phi <= phi0
        && phi0 < exact::pi() / 2))
     throw std::domain_error("turning2_by_motion: a k from 1e-20 to 1e20 and 0 ≤ φ ≤ φ₀ < ½π are needed");
   // With w = φ'φ' it is dw/dφ = 2φ"; what is followed is w(1 + kk)/φ₀φ₀ against φ/φ₀.
+  const exact::Laurent<Fifty> dr = derivative(r);  // with respect to cos φ
   const auto slope = [&](const Fifty& u, const exact::State& y) -> exact::State {
-    const Fifty s = sin(phi0 * u), c = cos(phi0 * u);
-    return {(2 * c * s * y[0] * phi0 - c * s * (1 + kk) / phi0) / (kk + c * c)};
+    const Fifty s = sin(phi0 * u), c = cos(phi0 * u), radius = r(c);
+    return {s * radius * (2 * dr(c) * y[0] * phi0 - (1 + kk) / phi0) / (kk + radius * radius)};
   };
   if(phi == phi0)
     return 0;
   return exact::solve(slope, 1, {0}, phi / phi0).y[0] * phi0 * phi0 / (1 + kk);
+}
+
+Fifty turning2_by_motion(const Fifty& k, const Fifty& phi0, const Fifty& phi)
+{
+  return turning2_by_motion(exact::Laurent<Fifty>(Fifty(1), 1), k, phi0, phi);
+}
+
+Accelerations accelerations(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& turning2,
+                            const Fifty& phi)
+{
+  const Fifty s = sin(phi), c = cos(phi), radius = r(c), dr = -s * derivative(r)(c);
+  struct Plane
+  {
+    Fifty aside, down;
+  };
+  // A weight at the distance l from M goes by l dφ across the line, for M is at rest; the distance grows by dr.
+  const auto first = [&](const Fifty& l) { return Plane{l * c, -l * s}; };
+  const auto second = [&](const Fifty& l) { return Plane{dr * c - l * s, -dr * s - l * c}; };
+  Fifty work = 0, inertia = 0;  // of gravity less what w demands, and that ddφ is multiplied by, doubled
+  for(const Fifty& l : {radius - k, radius + k})
+  {
+    const Plane one = first(l), two = second(l);
+    work += (one.down - 2 * turning2 * (one.aside * two.aside + one.down * two.down)) / 2;
+    inertia += one.aside * one.aside + one.down * one.down;
+  }
+  const Fifty turning = 2 * work / inertia;
+  const Plane one = first(radius), two = second(radius);
+  const Fifty aside = 2 * turning2 * two.aside + turning * one.aside,
+              down = 2 * turning2 * two.down + turning * one.down;
+  return {turning, -aside * s - down * c, aside * c - down * s};
 }
 
 }  // namespace tautochrone

@@ -36,6 +36,29 @@ exact::Fifty excess(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k
  */
 exact::Fifty turning2_by_motion(const exact::Fifty& k, const exact::Fifty& phi0, const exact::Fifty& phi);
 
+/// The same on any curve, whose radius is a polynomial in cos φ and 1/cos φ with the value 1 at φ = 0, and
+/// positive up to φ₀.
+/// @throws std::domain_error as above
+exact::Fifty turning2_by_motion(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
+                                const exact::Fifty& phi0, const exact::Fifty& phi);
+
+/// How a body on a wound thread is accelerated, a = 1 and g = ½; see accelerations().
+struct Accelerations
+{
+  exact::Fifty turning;  ///< 2ddφ/dt²
+  exact::Fifty along;    ///< of G along the thread, towards M, doubled
+  exact::Fifty across;   ///< of G at right angles to it, upwards, doubled
+};
+
+/**
+ * The accelerations of a body that turns with (dφ/dt)² = turning2 at the angle φ, by d'Alembert's principle: the
+ * body is two equal weights, k above G and k below it, each of which is accelerated as its place on the line MG
+ * demands; what is wanting to gravity does no work when the line is moved. It knows nothing of Z, of P and of the
+ * equations of §§14 to 17. Good to 1e-40 of themselves. Domain: k ≥ 0, |φ| < ½π, r(cos φ) > 0.
+ */
+Accelerations accelerations(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
+                            const exact::Fifty& turning2, const exact::Fifty& phi);
+
 /// By how many seconds a clock is late when it has counted a day, if it was set by infinitely small
 /// swings and its swings take 1 + excess times as long.
 inline double late_in_a_day(const exact::Fifty& excess)
