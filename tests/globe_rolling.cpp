@@ -340,6 +340,13 @@ TEST_CASE("the friction beyond which scraping is not determined")
     CHECK(mu >= 2 * k / 1.5);
     CHECK(mu == within_relative(rolling::painleve(exactly(b)).mu, 1e-9, "a sharp minimum as k vanishes"));
   }
+  // A large ball, whose height hardly changes: at 90°, however large.
+  for(const double a : {1e17, 1e19, 9.99999999999e19})
+  {
+    const auto limit = rolling::painleve(Ball<double>{a, 0.1, 0.6});
+    CHECK(limit.mu == within_relative(3.7 / a, 1e-15, "(kk + cc)/ac"));
+    CHECK(limit.Phi * radian == within(90, 1e-13, "the angle of half"));
+  }
 }
 
 TEST_CASE("what has no dimension is the same to the bit in every measure of length")

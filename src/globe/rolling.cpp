@@ -418,25 +418,27 @@ Loss<Real> loss_of_pressure(const Ball<Real>& given)
 template <class Real>
 Painleve<Real> painleve(const Ball<Real>& given)
 {
-  using std::abs;
+  using std::abs, std::sqrt;
   require_ball(given);
   const Ball<Real> ball = in_own_measure(given);
   const auto& [a, c, k] = ball;
   // The greatest of sin Φ y/(kk + cc sin²Φ), y = a − c cos Φ: where ½ sin Φ times the derivative by w of both,
   // and u = cos Φ, that of sin Φ, balance. With w = sin² ½Φ in the lower half and cos² ½Φ in the upper.
   const std::vector<Real> moment{k * k, 4 * c * c, -4 * c * c}, twice_w_rest{0, 2, -2};
-  Painleve<Real> limit{std::numeric_limits<double>::infinity(), 0};
-  for(const int half : {1, -1})
+  // At 90° the halves meet: a root that rounding has put beyond the end of either is there.
+  const Real half = sqrt(Real(0.5));
+  Painleve<Real> limit{(k * k + c * c) / (c * a), angle_of(Place<Real>{half, half})};
+  for(const int side : {1, -1})
   {
-    const std::vector<Real> y{a - half * c, Real(half * 2 * c)}, u{Real(half), Real(-2 * half)};
+    const std::vector<Real> y{a - side * c, Real(side * 2 * c)}, u{Real(side), Real(-2 * side)};
     const auto extremal = Polynomials<Real>::plus(product_of(u, product_of(y, moment)),
-                                                  product_of(twice_w_rest, cross(moment, y)), Real(half));
+                                                  product_of(twice_w_rest, cross(moment, y)), Real(side));
     for(const Real& w : roots_between(extremal, Real(0), Real(0.5)))
     {
       const Place<Real> there = place_of(w);
       const Real mu = value_of(moment, w) / (2 * c * there.s * there.c * abs(value_of(y, w)));
       if(mu < limit.mu)
-        limit = {mu, angle_of(half > 0 ? there : Place<Real>{there.c, there.s})};
+        limit = {mu, angle_of(side > 0 ? there : Place<Real>{there.c, there.s})};
     }
   }
   return limit;
