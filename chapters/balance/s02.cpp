@@ -131,8 +131,8 @@ to side.
 
 ::: figure balance-02
 alt: A beam, its left end A lifted, turning about C. Below C the centre of gravity G. From A and B hang
-strings with weights P and Q, both leaning to the left. Thin lines: the horizontal through C with the feet p, alpha,
-epsilon and q, the vertical through C, the verticals and normals of both pans.
+strings with weights P and Q, both leaning to the left. Thin lines: the horizontal through C with the feet
+p, alpha, epsilon and q, the vertical through C, the verticals and normals of both pans.
 
 The figure of the paper (Tab. III, Fig. 2), drawn anew from its letters. $CG$ is drawn too long. ε is the foot
 on the horizontal above $B$, β a point of the vertical below it, $r$ and $s$ the feet of the normals.

@@ -14,10 +14,10 @@ makes with the horizontal, to both sides, the angle $ACp = BCq = \omega$. From t
 hang. Then there are
 
 - the length of the arms, $CA = CB = a$;
-- the mass or the weight of the beam $M$, with handle, tongue and all other parts that are firmly connected with
-  it;
-- its centre of gravity $G$, below $C$ by $CG = c$, which with the beam leans from the vertical by the same angle,
-  $GCc = \omega$;
+- the mass or the weight of the beam $M$, with handle, tongue and all other parts that are firmly connected
+  with it;
+- its centre of gravity $G$, below $C$ by $CG = c$, which with the beam leans from the vertical by the same
+  angle, $GCc = \omega$;
 - its moment of inertia about $G$, $Mkk$: each particle is multiplied by the square of its distance from $G$
   and all is added up. About $C$ it is therefore
 
@@ -34,9 +34,9 @@ little lower behaves otherwise ({{sec balance.37}}).
 
 ## The program
 
-Let the beam be made. A thin straight rod $ACB$, balanced in $C$, has no reason to become level; something must
-hang below. A tongue, a thin rod of the length $l$ that points from $C$ downward and has the part $p$ of the
-whole weight, is enough:
+Let the beam be made. A thin straight rod $ACB$, balanced in $C$, has no reason to become level; something
+must hang below. A tongue, a thin rod of the length $l$ that points from $C$ downward and has the part $p$
+of the whole weight, is enough:
 
 $$ c = \tfrac12pl, \qquad kk + cc = (1-p)\tfrac13aa + p\,\tfrac13ll. \tag{A} $$
 
@@ -121,7 +121,8 @@ $4NN$, whatever the rods.
 alt: A straight line on logarithmic axes against the number of particles: it falls by a hundred for ten times
 the particles, from a quarter at one particle.
 
-What part is missing of the moment of inertia when each arm and the tongue are replaced by $N$ equal particles. A beam may be taken for a row of weights: it matters little how fine.
+What part is missing of the moment of inertia when each arm and the tongue are replaced by $N$ equal
+particles. A beam may be taken for a row of weights: it matters little how fine.
 :::
 
 ## Checks

@@ -28,8 +28,8 @@ swings wide. And no two pans are *equal*. That they are here, to the last digit,
 others, and the whole exchange of motions rests on it.
 
 What differing strings would do can be seen on any two oscillators of the frequencies μ and μ′, so coupled
-that if they were equal one would hand over everything in the time $T$. Let σ be $\mu + \pi:T$. Then the second
-gets at most the part
+that if they were equal one would hand over everything in the time $T$. Let σ be $\mu + \pi:T$. Then the
+second gets at most the part
 
 $$ \frac{\sigma^2-\mu^2}{\sqrt{(\sigma^2-\mu^2)^2 + (\mu^2-\mu'^2)^2}} \tag{B} $$
 
@@ -95,9 +95,9 @@ TELL
 }
 
 /*!
-A swing of ten degrees takes {{ratio|7}} times as long as a very small one. With strings that differ by one per
-cent Q gets {{gets|3}} of the swing, if equal pans would hand over everything in the {{balance.01.T|4}} seconds
-of {{sec balance.01}}.
+A swing of ten degrees takes {{ratio|7}} times as long as a very small one. With strings that differ by one
+per cent Q gets {{gets|3}} of the swing, if equal pans would hand over everything in the {{balance.01.T|4}}
+seconds of {{sec balance.01}}.
 
 ::: figure balance-04
 alt: Three falling curves against the difference of the strings from a thousandth of a per cent to the whole
@@ -200,8 +200,8 @@ CHECK_THAT("(B) is told with all its digits, and drawn")
 How wide may P swing at the start before its longer time puts it out of step as much as a string longer by one
 per cent would?
 
-answer: The time grows by $\frac1{16}nn$, with the string by half a per cent: about {{wide|3}}. Where equal pans
-need long for the exchange, wide swings are exchanged incompletely ({{sec balance.38}}).
+answer: The time grows by $\frac1{16}nn$, with the string by half a per cent: about {{wide|3}}. Where equal
+pans need long for the exchange, wide swings are exchanged incompletely ({{sec balance.38}}).
 :::
 */
 
