@@ -11,6 +11,7 @@
 
 #include "edition/compare.hpp"
 #include "exact/ode.hpp"
+#include "globe/oracle.hpp"
 #include "globe/smooth.hpp"
 #include "globe/time.hpp"
 
@@ -71,6 +72,24 @@ TEST_CASE("quarter swings and half turns are what other tools found")
         == within_relative(Fifty("11.2044683213001805389765829234"), 1e-29, other_tools));
   CHECK(smooth::quarter(Fifty("0.1"), Fifty("1e-6"), energy(Fifty(0.5)))
         == within_relative(Fifty("0.141421356288685025403138787179"), 1e-29, other_tools));
+}
+
+TEST_CASE("the fifty digits are those of quadrature alone, and its inverse is its inverse")
+{
+  for(const char* below : {"0.9", "1e-20", "0", "-1e-15", "-3", "-1e20"})
+    for(const char* ratio : {"1e-6", "0.3", "50"})
+    {
+      const Energy<Fifty> e{1 - Fifty(below), Fifty(below)};
+      const Fifty c_ = Fifty(ratio) * k0;
+      const Place<Fifty> there = place(Fifty("0.5"));
+      const Fifty tau = oracle::smooth_time(c_, k0, e, there);
+      CHECK(smooth::time(c_, k0, e, there) == within_relative(tau, 1e-35, "two ways of forty digits"));
+      CHECK(oracle::smooth_place(c_, k0, e, tau).s
+            == within_relative(there.s, 1e-25, "a step of Newton's"));
+      if(e.from_top != 0)
+        CHECK(smooth::quarter(c_, k0, e)
+              == within_relative(oracle::smooth_quarter(c_, k0, e), 1e-35, "two ways of forty digits"));
+    }
 }
 
 TEST_CASE("in double quarters keep what they promise, from the smallest swing to the fastest turning")

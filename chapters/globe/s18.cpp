@@ -3,6 +3,7 @@
 #include "exact/quadrature.hpp"
 #include "globe/ball.hpp"
 #include "globe/gauss.hpp"
+#include "globe/oracle.hpp"
 #include "globe/time.hpp"
 
 SECTION(globe, 18, "The ball that never quite turns over")
@@ -283,25 +284,6 @@ Fifty euler(const Fifty& c, const Fifty& k, const Fifty& w)  // (1), as it stand
   return 2 * c * c / (3 * k) * pow(cos(w), 3) - k * log(tan(w / 2));
 }
 
-Fifty gauss_fifty(int n, const std::function<Fifty(const Fifty&)>& f, const Fifty& end)
-{
-  Fifty sum = 0;
-  for(int i = 0; i < n; ++i)
-  {
-    Fifty x = cos(exact::pi() * (i + Fifty(3) / 4) / (n + Fifty(1) / 2)), slope;
-    for(int turn = 0; turn < 9; ++turn)  // Newton's method for the root of Legendre's polynomial
-    {
-      Fifty p = 1, q = x;
-      for(int m = 2; m <= n; ++m)
-        p = std::exchange(q, ((2 * m - 1) * x * q - (m - 1) * p) / m);
-      slope = n * (p - x * q) / (1 - x * x);
-      x -= q / slope;
-    }
-    sum += f((1 + x) * end / 2) * end / ((1 - x * x) * slope * slope);
-  }
-  return sum;
-}
-
 CHECK_THAT("the times and the race told are (1), its next term, (A), and Gauss's rule, in fifty digits")
 {
   for(const Told& now :
@@ -331,7 +313,7 @@ CHECK_THAT("the times and the race told are (1), its next term, (A), and Gauss's
     const auto integrand = [&](const Fifty& x) { return rest(c_, k_, x); };
     for(const int n : {2, 4, 6, 8})
       CHECK(now.method("tau", "rest by Gauss, " + std::to_string(n) + " nodes")
-            == within_relative(k_ * asinh(1 / tan(w)) + gauss_fifty(n, integrand, v), slack, because));
+            == within_relative(k_ * asinh(1 / tan(w)) + oracle::gauss(n, integrand, 0, v), slack, because));
   }
 }
 

@@ -1,0 +1,79 @@
+/// @file
+/// How a reader may ask: for an energy by h, by what it lacks of the top, or by the angular velocity ζ at the
+/// lowest place; for a place by the angle from the lowest place or by what that lacks of the top.
+#pragma once
+
+#include "edition/section.hpp"
+#include "globe/energy.hpp"
+
+namespace globe
+{
+
+/// A number as the program computes with it, from fifty digits: both members of each pair rounded once.
+/// @{
+inline Energy<double> rounded(const Energy<exact::Fifty>& e)
+{
+  return {static_cast<double>(e.h), static_cast<double>(e.from_top)};
+}
+inline Place<double> rounded(const Place<exact::Fifty>& p)
+{
+  return {static_cast<double>(p.s), static_cast<double>(p.c)};
+}
+/// @}
+
+/// The options --h, --from_top and --zeta: the last that is given and not 0 counts, from_top before h.
+struct Asked_energy
+{
+  edition::Parameter<double> h;         ///< The energy over what the top asks for.
+  edition::Parameter<double> from_top;  ///< 1 − h, or 0
+  edition::Parameter<double> zeta;      ///< The angular velocity at the lowest place, or 0.
+
+  /// What was asked for, with kk as in energy_of_velocity(). Refuses from_top and zeta together, and a ζ with an
+  /// h beyond 1e-100 … 1e100.
+  Energy<exact::Fifty> fifty(const exact::Fifty& c, const exact::Fifty& kk, const exact::Fifty& g) const
+  {
+    if(zeta == 0)
+      return energy_given(h.fifty(), from_top.fifty());
+    edition::require(from_top == 0, "zeta", "0 where from_top is given");
+    const Energy<exact::Fifty> e = energy_of_velocity(c, kk, g, zeta.fifty());
+    edition::require(e.h >= 1e-100 && e.h <= 1e100, "zeta", "an h between 1e-100 and 1e100");
+    return e;
+  }
+};
+
+/// Declares them.
+inline Asked_energy asked_energy(double default_h)
+{
+  using namespace edition;
+  return {real("h", default_h, none, scale, "energy, as a part of what the top asks for"),
+          real("from_top", 0, none, from_below(-1e100, 1), "1 - h instead of h, where not 0"),
+          real("zeta", 0, Unit{"1/s"}, closed(0, 1e100),
+               "angular velocity at the lowest place instead of h, where not 0")};
+}
+
+/// The options --Phi and --psi: the second counts where it is not 0.
+struct Asked_place
+{
+  edition::Parameter<double> Phi;  ///< The angle from the lowest place.
+  edition::Parameter<double> psi;  ///< What it lacks of the top, or 0.
+
+  /// What was asked for: the place. 180°, to 45 digits, is the top.
+  Place<exact::Fifty> fifty() const
+  {
+    if(psi != 0)
+      return place_from_top(psi.fifty());
+    return exact::pi() - Phi.fifty() < 1e-45 ? place_from_top(exact::Fifty(0)) : place(Phi.fifty());
+  }
+  /// And the angle.
+  exact::Fifty angle() const { return psi == 0 ? Phi.fifty() : exact::Fifty(exact::pi() - psi.fifty()); }
+};
+
+/// Declares them.
+inline Asked_place asked_place(double default_Phi)
+{
+  using namespace edition;
+  return {angle("Phi", default_Phi, closed(0, std::numbers::pi), "angle turned from the lowest place"),
+          angle("psi", 0, closed(0, std::numbers::pi), "180° - Phi instead of Phi, where not 0")};
+}
+
+}  // namespace globe
