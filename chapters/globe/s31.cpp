@@ -129,8 +129,8 @@ TELL
 }
 
 /*!
-Our ball rolls to and fro in {{swing_rolling|5}} seconds, without friction in {{swing_smooth|5}}: it is slower by
-{{slowed|3}}.
+Our ball rolls to and fro in {{swing_rolling|5}} seconds, without friction in {{swing_smooth|5}}: it is
+slower by {{slowed|3}}.
 
 {{table lengths}}
 
@@ -146,7 +146,8 @@ $c = {{c_quickest|4}}\,a$.
 ## Checks
 
 The times are held against the motion itself: the ball is sent off from its lowest place with hardly any
-velocity, by the equations of {{sec globe.03}}, {{sec globe.06}} and {{sec globe.07}}, and has to be back there.
+velocity, by the equations of {{sec globe.03}}, {{sec globe.06}} and {{sec globe.07}}, and has to be back
+there.
 */
 
 Fifty left_over(const Ball<Fifty>& ball, const Fifty& g_, const Fifty& swing, bool rolls)
@@ -258,8 +259,8 @@ CHECK_THAT("the table and the curves are (1) and (2), and only at c = a the pend
 ::: exercise
 A cradle rocks as fast with one $c$ as with another. How are the two related?
 
-answer: $cc' = aa + kk$: (1) is $(aa+kk)/c + c - 2a$, and the two members change places. With $c = a/10$, our ball's,
-the other is {{partner|4}} feet.
+answer: $cc' = aa + kk$: (1) is $(aa+kk)/c + c - 2a$, and the two members change places. With our ball's
+$c$ the other is {{partner|4}} feet.
 :::
 */
 

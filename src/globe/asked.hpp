@@ -76,4 +76,11 @@ inline Asked_place asked_place(double default_Phi)
           angle("psi", 0, closed(0, std::numbers::pi), "180° - Phi instead of Phi, where not 0")};
 }
 
+/// Refuses a ball that the functions of rolling.hpp do not take: a or c beyond 10²⁰ √((a − c)² + kk).
+inline void require_rolling(const Ball<double>& ball)
+{
+  const double most = 1e20 * std::hypot(ball.a - ball.c, ball.k);
+  edition::require(ball.a <= most && ball.c <= most, "k", "at least 1e-20 c where c is a");
+}
+
 }  // namespace globe
