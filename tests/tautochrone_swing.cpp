@@ -5,6 +5,7 @@
 #include "exact/quadrature.hpp"
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/euler.hpp"
+#include "tautochrone/mechanism.hpp"
 #include "tautochrone/path.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
@@ -419,4 +420,72 @@ TEST_CASE("a place on any cheeks: r, its shortening and c − x are those of the
     CHECK(cos(angle) + of.along == within_relative(tension(at_, k), 1e-24, "stated"));
     CHECK(-of.turning * k * k / force(at_, k) == within_relative(GZ(at_, k), 1e-24, "stated"));
   }
+}
+
+TEST_CASE("what the free part bears across loses near Z = G what the header says, and P·GZ/r does not")
+{
+  for(const double k : {1e-12, 1e-3, 0.1, 10.0})
+    for(const double most : {30.0, 80.0, 89.0})
+      for(double at = 1; at <= most; at += 9.3)
+      {
+        const double phi0 = most * degree, phi = at * degree;
+        const auto exactly = on_cycloids<Fifty>(phi0, phi);
+        const Fifty R = across<Fifty>(exactly, k), kk = Fifty(k) * k, c0 = cos(Fifty(phi0));
+        const auto p = on_cycloids(phi0, phi);
+        const auto lost = static_cast<double>((kk + exactly.r * exactly.r) / (kk + c0 * c0));
+        CHECK(across(p, k) == within_relative(R, 1e-14 + 1e-15 * lost, "as documented"));
+        CHECK(force(p, k) * cycloidal_GZ(k, phi0, phi) / p.r
+              == within_relative(R, 3e-14, "the angle's rounding near 90°"));
+      }
+}
+
+TEST_CASE("M runs along the cheek with the thread, G across it")
+{
+  const Fifty h("1e-15");
+  for(const char* const at : {"0.1", "0.8", "1.5"})
+  {
+    const Fifty x(at), s = sin(x), c = cos(x);
+    const auto up = cycloidal_places<Fifty>(x + h), low = cycloidal_places<Fifty>(x - h);
+    CHECK((up.q - low.q) / (2 * h) == within(s * s, 1e-28, "ds = sin φ dφ"));
+    CHECK((up.p - low.p) / (2 * h) == within(s * c, 1e-28, "ds = sin φ dφ"));
+    CHECK((up.G_aside - low.G_aside) / (2 * h) == within(c * c, 1e-28, "r = cos φ"));
+    CHECK((up.G_down - low.G_down) / (2 * h) == within(-c * s, 1e-28, "r = cos φ"));
+  }
+}
+
+TEST_CASE("a body on any curve that is a polynomial in 1 − cos φ: the same excess as by its times")
+{
+  using Polynomial = Mechanism::Polynomial;
+  const Polynomial h(Fifty(1), 1);
+  for(const double k : {0.0, 1e-9, 0.1, 0.7, 30.0})
+    for(const double phi : {1e-120, 1e-8, 0.1, 1.0, 1.47})
+    {
+      const Polynomial c = Polynomial(1) - h, kk(Fifty(k) * k);
+      if(phi > 1e-100 || k > 1e-5)
+        CHECK(Mechanism(kk + c * c, c).excess(phi)
+              == within_relative(excess(Cheeks::cycloids, k, phi), phi > 1.4 ? 1e-13 : 5e-15, "stated"));
+      CHECK(Mechanism(kk + Polynomial(1), 1).excess(phi)
+            == within_relative(excess(Cheeks::none, k, phi), 5e-15, "about a fixed axis"));
+    }
+  CHECK(
+      Mechanism(1, 1).excess(3.1)
+      == within_relative(excess(Cheeks::none, 0, 3.1), 1e-12, "near the top the angle's rounding counts"));
+  // another curve, against the quadrature of §19 in fifty digits
+  const Polynomial r = Polynomial(1) - Polynomial(Fifty("0.7")) * h + Polynomial(Fifty("0.2")) * h * h;
+  const Laurent<Fifty> u = Laurent<Fifty>(1) - Laurent<Fifty>(1, 1);  // h in powers of cos φ
+  const Laurent<Fifty> radius =
+      Laurent<Fifty>(1) - Laurent<Fifty>(Fifty("0.7")) * u + Laurent<Fifty>(Fifty("0.2")) * u * u;
+  const Mechanism body(Polynomial(Fifty("0.25")) + r * r, r);
+  for(const double phi : {0.2, 1.0, 1.5})
+    CHECK(body.excess(phi)
+          == within_relative(excess(radius, Fifty("0.5"), Fifty(phi)), 1e-13, "another integral"));
+  CHECK(body.small_swing() == within_relative(pi() * sqrt(Fifty("2.5")), 4e-16, "2π√(½·1,25)"));
+  CHECK(body.swing_time(1.0)
+        == within_relative(pi() * sqrt(Fifty("2.5")) * (1 + Fifty(body.excess(1.0))), 7e-16, "a product"));
+  CHECK_THROWS_AS(body.excess(0), std::domain_error);
+  CHECK_THROWS_AS(body.excess(std::numbers::pi), std::domain_error);
+  CHECK_THROWS_AS(body.excess(std::nan("")), std::domain_error);
+  CHECK_THROWS_AS(Mechanism(1, Polynomial(1) - h).excess(1.6), std::domain_error);
+  CHECK_THROWS_AS(Mechanism(h, 1), std::domain_error);
+  CHECK_THROWS_AS(Mechanism(1, Polynomial(Fifty(1), -1) + Polynomial(1)), std::domain_error);
 }

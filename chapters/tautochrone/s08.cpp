@@ -137,25 +137,19 @@ The cheek has the arc $s$ and the tangent that it should have, and $G$ moves at 
 $r\,d\varphi$: the differences of the places told are taken in fifty digits.
 */
 
-struct Places  ///< on Huygens's cheek, a = 1, a cycloid of a circle of the diameter ½
-{
-  Fifty q, p;
-  explicit Places(const Fifty& x) : q((2 * x - sin(2 * x)) / 4), p((1 - cos(2 * x)) / 4) {}
-};
-
 CHECK_THAT("M, G and the arc told are those of a cycloid and a thread of the length a, whatever the angle")
 {
   for(const Told& now : told_at("", "a=1e40 k=1e20 phi=1e-9", "a=3 phi0=89 phi=89", "phi=0"))
   {
     const Fifty x = phi.fifty(), A = a.fifty(), s = 2 * pow(sin(x / 2), 2), r = 1 - s;
-    const Places M(x);
+    const auto M = cycloidal_places(x);
     const char* const why = "the library's bound, and a product";
     CHECK(now.value("s", metres) == within_relative(A * s, 2e-15, why));
     CHECK(now.value("r", metres) == within_relative(A * r, 2e-14, "the angle's rounding near 90°"));
     CHECK(now.value("p", metres) == within_relative(A * M.p, 2e-15, why));
     CHECK(now.value("q", metres) == within_relative(A * M.q, 2e-15, why));
-    CHECK(now.value("AQ", metres) == within_relative(A * (M.p + r * cos(x)), 2e-15, why));
-    CHECK(now.value("QG", metres) == within_relative(A * (M.q + r * sin(x)), 2e-15, why));
+    CHECK(now.value("AQ", metres) == within_relative(A * M.G_down, 2e-15, why));
+    CHECK(now.value("QG", metres) == within_relative(A * M.G_aside, 2e-15, why));
   }
 }
 
@@ -165,15 +159,11 @@ CHECK_THAT("the thread touches the cheek, and G moves across it by r dφ, by dif
   for(const char* const at : {"0.1", "0.7", "1.5"})
   {
     const Fifty x(at), s = sin(x), c = cos(x);
-    const Places M(x), up(x + h), low(x - h);
+    const auto up = cycloidal_places<Fifty>(x + h), low = cycloidal_places<Fifty>(x - h);
     const Fifty dq = (up.q - low.q) / (2 * h), dp = (up.p - low.p) / (2 * h);
     CHECK(dq * c - dp * s == within(0, 1e-28, "the square of the step"));
     CHECK(dq * s + dp * c == within(s, 1e-28, "ds is sin φ dφ"));
-    const auto G = [](const Fifty& y, const Places& of) {
-      return std::pair<Fifty, Fifty>(of.q + cos(y) * sin(y), of.p + cos(y) * cos(y));
-    };
-    const auto one = G(x + h, up), other = G(x - h, low);
-    const Fifty dy = (one.first - other.first) / (2 * h), dx = (one.second - other.second) / (2 * h);
+    const Fifty dy = (up.G_aside - low.G_aside) / (2 * h), dx = (up.G_down - low.G_down) / (2 * h);
     CHECK(dy * s + dx * c == within(0, 1e-28, "no motion along MG"));
     CHECK(dy * c - dx * s == within(c, 1e-28, "r dφ across it"));
   }
@@ -210,7 +200,7 @@ CHECK_THAT("the points of the figure lie where their definitions put them, and s
   for(const Told& now : told_at("", "phi=10 k=0.5", "phi0=89 phi=85 a=2"))
   {
     const Fifty x = phi.fifty(), kk = pow(k.fifty() / a.fifty(), 2), c = cos(x), s = sin(x);
-    const Places M(x);
+    const auto M = cycloidal_places(x);
     for(const auto& row : now.rows("letters"))
     {
       const std::string letter = row.words("letter");
@@ -231,11 +221,11 @@ CHECK_THAT("the points of the figure lie where their definitions put them, and s
   for(const Told& now : told_at(""))
     for(const auto& point : now.points("lines", 6))
     {
-      const Fifty x = Fifty(point.at("phi")) * exact::pi() / 180, c = cos(x);
-      const Places M(x);
+      const Fifty x = Fifty(point.at("phi")) * exact::pi() / 180;
+      const auto M = cycloidal_places(x);
       CHECK(point.value("q") == within(M.q, 2e-15, "a few roundings"));
       CHECK(point.value("p") == within(M.p, 2e-15, "a few roundings"));
-      CHECK(point.value("G_y") == within(M.q + c * sin(x), 2e-15, "a few roundings"));
-      CHECK(point.value("G_x") == within(M.p + c * c, 2e-15, "a few roundings"));
+      CHECK(point.value("G_y") == within(M.G_aside, 2e-15, "a few roundings"));
+      CHECK(point.value("G_x") == within(M.G_down, 2e-15, "a few roundings"));
     }
 }

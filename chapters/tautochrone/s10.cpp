@@ -182,20 +182,20 @@ CHECK_THAT("the three loci are those of G, Z and H; Z and H meet at the end of t
     const auto all = now.points("loci");
     for(const std::size_t i : {std::size_t(5), std::size_t(30), std::size_t(45), std::size_t(60)})
     {
-      const Fifty x = int(i) * exact::pi() / 180, s = sin(x), c = cos(x), q = (x - s * c) / 2,
-                  p = s * s / 2;
+      const Fifty x = int(i) * exact::pi() / 180, s = sin(x), c = cos(x);
+      const auto M = cycloidal_places(x);
       const Accelerations of = accelerations(Fifty("0.3"), exact::pi() / 3, x);
       const Fifty Z = c + of.turning / of.across * Fifty("0.09"), H = c + Fifty("0.09") / c;
       const char* const why = "a few roundings";
       CHECK(all[i].value("phi") == within(int(i), 0, "a count"));
-      CHECK(all[i].value("q") == within(q, 2e-15, why));
-      CHECK(all[i].value("p") == within(p, 2e-15, why));
-      CHECK(all[i].value("G_y") == within(q + c * s, 2e-15, why));
-      CHECK(all[i].value("G_x") == within(p + c * c, 2e-15, why));
-      CHECK(all[i].value("Z_y") == within(q + Z * s, 2e-15, why));
-      CHECK(all[i].value("Z_x") == within(p + Z * c, 2e-15, why));
-      CHECK(all[i].value("H_y") == within(q + H * s, 2e-15, why));
-      CHECK(all[i].value("H_x") == within(p + H * c, 2e-15, why));
+      CHECK(all[i].value("q") == within(M.q, 2e-15, why));
+      CHECK(all[i].value("p") == within(M.p, 2e-15, why));
+      CHECK(all[i].value("G_y") == within(M.G_aside, 2e-15, why));
+      CHECK(all[i].value("G_x") == within(M.G_down, 2e-15, why));
+      CHECK(all[i].value("Z_y") == within(M.q + Z * s, 2e-15, why));
+      CHECK(all[i].value("Z_x") == within(M.p + Z * c, 2e-15, why));
+      CHECK(all[i].value("H_y") == within(M.q + H * s, 2e-15, why));
+      CHECK(all[i].value("H_x") == within(M.p + H * c, 2e-15, why));
     }
     CHECK(all.back().value("Z_y")
           == within(all.back().at("H_y"), 2e-15, "one place, reckoned in two ways"));

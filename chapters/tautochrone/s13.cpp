@@ -140,12 +140,9 @@ CHECK_THAT("the two velocities and their heights are those of the motion that be
 CHECK_THAT("the element Gg is (a−s)dφ: the place of G, by differences, though M moves by ds")
 {
   const Fifty h("1e-15"), x = phi.fifty();
-  const auto place_of_G = [](const Fifty& at) {  // by the cheek: p + r cos φ below A, q + r sin φ beside it
-    const Fifty p = pow(sin(at), 2) / 2, q = (at - sin(at) * cos(at)) / 2, r = cos(at);
-    return std::pair{p + r * cos(at), q + r * sin(at)};
-  };
-  const auto after = place_of_G(x + h), before = place_of_G(x - h);
-  const Fifty dx = (after.first - before.first) / (2 * h), dy = (after.second - before.second) / (2 * h);
+  const auto after = cycloidal_places<Fifty>(x + h), before = cycloidal_places<Fifty>(x - h);
+  const Fifty dx = (after.G_down - before.G_down) / (2 * h),
+              dy = (after.G_aside - before.G_aside) / (2 * h);
   CHECK(sqrt(dx * dx + dy * dy) == within_relative(cos(x), 1e-28, "the square of the step"));
   CHECK(dx * sin(x) + dy * -cos(x) == within_relative(-cos(x), 1e-28, "it goes at right angles to MG"));
 }

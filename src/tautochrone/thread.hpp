@@ -84,7 +84,8 @@ Real tension(const Posture<Real>& at, const Real& k)
 }
 
 /// What the free part must bear across at M, over the weight, because the body is made to turn with it; a
-/// thread that is limp cannot. R = −kk·2ddφ/(r dt²).
+/// thread that is limp cannot. R = −kk·2ddφ/(r dt²), which is P·GZ/r: on cycloids take it from
+/// cycloidal_GZ(), for here, as in twice_acceleration(), digits are lost where Z comes near to G.
 template <class Real>
 Real across(const Posture<Real>& at, const Real& k)
 {
@@ -94,8 +95,9 @@ Real across(const Posture<Real>& at, const Real& k)
 /**
  * A place of a swing out to φ₀ on Huygens's cheeks, c − x as a product of two sines.
  *
- * Domain: 0 ≤ |φ| ≤ φ₀ < ½π. All quantities above are then good to 1e-14 of themselves in double, but GZ
- * near Z = G.
+ * Domain: 0 ≤ |φ| ≤ φ₀ < ½π. In double the quantities above are then good to 1e-14 of themselves, but for
+ * GZ(), twice_acceleration() and across(): these to 1e-14 and 1e-15 (kk + cos²φ)/(kk + cos²φ₀), which is
+ * four digits lost for small k and φ₀ = 89°.
  */
 template <class Real>
 Posture<Real> on_cycloids(const Real& phi0, const Real& phi)
@@ -157,6 +159,26 @@ Real cycloidal_GZ(const Real& k, const Real& phi0, const Real& phi)
   using std::cos, std::sin;
   const Real kk = k * k, c = cos(phi), cc = c * c, c0 = cos(phi0);
   return kk * c * (kk + c0 * c0) / (cc * (kk + cc) + kk * sin(phi0 - phi) * sin(phi0 + phi));
+}
+
+/// M on Huygens's cheek and G on its involute, to the right of A and below it, for a = 1.
+template <class Real>
+struct CycloidalPlaces
+{
+  Real q;        ///< PM, of M
+  Real p;        ///< AP, of M
+  Real G_aside;  ///< QG
+  Real G_down;   ///< AQ
+};
+
+/// These places, by subtraction: meant for fifty digits. In double they err by 1e-15 of a; euler_q() and
+/// euler_p() lose nothing at small angles.
+template <class Real>
+CycloidalPlaces<Real> cycloidal_places(const Real& phi)
+{
+  using std::cos, std::sin;
+  const Real s = sin(phi), c = cos(phi), q = (phi - s * c) / 2, p = s * s / 2;
+  return {q, p, q + c * s, p + c * c};
 }
 
 }  // namespace tautochrone
