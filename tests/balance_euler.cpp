@@ -113,6 +113,31 @@ TEST_CASE("the five equations solved as they stand give the accelerations of the
   CHECK(at.y1 == within(Fifty("3.801213503678693596016467558"), 1e-15, "the same"));
 }
 
+TEST_CASE("the pans' accelerations are the second differences of their places")
+{
+  const Fifty a = 1.7, b = 3.2, h("1e-16");
+  const State<Fifty> now{{-0.9, 0.7, 1.3}, {1.1, -2.3, 0.6}};
+  const Angles<Fifty> to{0.4, -5, 2.1};
+  const auto at = [&](const Fifty& t) {
+    const auto angle = [&t](const Fifty& x, const Fifty& v, const Fifty& w) {
+      return Fifty(x + t * v + t * t * w / 2);
+    };
+    return places<Fifty>(a, b,
+                         {angle(now.at.omega, now.rate.omega, to.omega),
+                          angle(now.at.eta, now.rate.eta, to.eta),
+                          angle(now.at.theta, now.rate.theta, to.theta)});
+  };
+  const Places<Fifty> before = at(-h), here = at(0), after = at(h);
+  const auto second = [&](Fifty Places<Fifty>::*which) {
+    return (after.*which - 2 * here.*which + before.*which) / (h * h);
+  };
+  const Places<Fifty> got = place_accelerations<Fifty>(a, b, now, to);
+  CHECK(got.x == within(second(&Places<Fifty>::x), 1e-15, "fifty digits over the square of the step"));
+  CHECK(got.y == within(second(&Places<Fifty>::y), 1e-15, "the same"));
+  CHECK(got.x1 == within(second(&Places<Fifty>::x1), 1e-15, "the same"));
+  CHECK(got.y1 == within(second(&Places<Fifty>::y1), 1e-15, "the same"));
+}
+
 TEST_CASE("an instrument and a state in fifty digits are those in doubles, rounded less")
 {
   for(const Instrument& x : {instrument_of_35, light_pans, Instrument{2, 3, -1e-9, 0.7, 1e5, 1e-3, 4.9}})

@@ -111,13 +111,9 @@ that follow from the energies. What comes out must be what {{eq 1}} makes of the
 
 std::array<Fifty, 2> twice_differentiated(const State<Fifty>& now, const Angles<Fifty>& acceleration)
 {
-  const auto& [at, rate] = now;
-  const Fifty A = double(a), B = double(b), G = 2 * Fifty(double(g));
-  const Fifty so = sin(at.omega), co = cos(at.omega), se = sin(at.eta), ce = cos(at.eta);
-  const Fifty oo = rate.omega * rate.omega, ee = rate.eta * rate.eta;
-  const Fifty x = -A * (acceleration.omega * so + oo * co) + B * (acceleration.eta * ce - ee * se);
-  const Fifty y = -B * (acceleration.eta * se + ee * ce) - A * (acceleration.omega * co - oo * so);
-  return {x / G, y / G};
+  const Fifty G = 2 * Fifty(double(g));
+  const auto of = place_accelerations<Fifty>(double(a), double(b), now, acceleration);
+  return {of.x / G, of.y / G};
 }
 
 CHECK_THAT("along the motion that follows from the energies, x and y obey I and II with the pull told")

@@ -120,13 +120,10 @@ CHECK_THAT("x′ and y′ along the motion that follows from the energies obey I
           "c=0 L=1e-6 k=900 theta_rate=30 omega_rate=-4", "L=1e6 M=1e-3 omega=1e-9 eta=-1e-9 theta=0"))
   {
     const State<Fifty> state = widened(now_at());
-    const auto& [at, rate] = state;
-    const Angles<Fifty> to = accelerations(widened(given()), state);
-    const Fifty A = double(a), B = double(b), G = 2 * Fifty(double(g)), oo = rate.omega * rate.omega,
-                tt = rate.theta * rate.theta, so = sin(at.omega), co = cos(at.omega), st = sin(at.theta),
-                ct = cos(at.theta);
-    const Fifty x1 = (-A * (to.omega * so + oo * co) - B * (to.theta * ct - tt * st)) / G;
-    const Fifty y1 = (-B * (to.theta * st + tt * ct) + A * (to.omega * co - oo * so)) / G;
+    const auto of =
+        place_accelerations<Fifty>(double(a), double(b), state, accelerations(widened(given()), state));
+    const Fifty G = 2 * Fifty(double(g)), x1 = of.x1 / G, y1 = of.y1 / G;
+    const Fifty st = sin(state.at.theta), ct = cos(state.at.theta);
     const double allowed = 2e-14 * (1 + double(abs(x1) + abs(y1))) * (1 + 1e-9 * L / M);
     const char* const why = "some thirty roundings of the largest part";
     CHECK(now.value("Q") == within((1 - y1) * ct + x1 * st, allowed, why));

@@ -84,6 +84,29 @@ Places<Number> places(const Number& a, const Number& b, const Angles<Number>& at
 }
 // [places]
 
+/// The second derivatives of the four coordinates, in the unit of a and b per s², where the angles have the
+/// accelerations `to`, whatever these come from.
+template <class Number>
+Places<Number> place_accelerations(const Number& a, const Number& b, const State<Number>& now,
+                                   const Angles<Number>& to)
+{
+  using elementary::cos;
+  using elementary::sin;
+  const auto& [at, rate] = now;
+  const auto across = [](const Number& angle, const Number& speed,
+                         const Number& acceleration) {  // of the sine
+    return Number(acceleration * cos(angle) - speed * speed * sin(angle));
+  };
+  const auto along = [](const Number& angle, const Number& speed,
+                        const Number& acceleration) {  // of the cosine
+    return Number(-acceleration * sin(angle) - speed * speed * cos(angle));
+  };
+  const Number up = a * across(at.omega, rate.omega, to.omega),
+               out = a * along(at.omega, rate.omega, to.omega);
+  return {out + b * across(at.eta, rate.eta, to.eta), b * along(at.eta, rate.eta, to.eta) - up,
+          out - b * across(at.theta, rate.theta, to.theta), b * along(at.theta, rate.theta, to.theta) + up};
+}
+
 /// The pulls of the strings AP and BQ, in weights of a pan.
 template <class Number = double>
 struct Tensions
