@@ -149,8 +149,8 @@ beam stands at {{omega_t|deg2}}, the strings at {{eta_t|deg2}} and {{theta_t|deg
 the least pull is {{slackest|3}}.
 
 ::: figure balance-10
-alt: Three curves against ten seconds. The pans swing widely and not alike, between 30 and 50 degrees; the beam
-is thrown beyond the upright, comes back and stays small for a while, and is thrown over again.
+alt: Three curves against ten seconds. The pans swing widely and not alike, between 30 and 50 degrees; the
+beam is thrown beyond the upright, comes back and stays small for a while, and is thrown over again.
 
 The three angles by the five equations, from a start far beyond the smallest oscillations. The question is
 solved, as he says, if only somebody integrates.
