@@ -188,9 +188,9 @@ $C$ held fast Q would have got {{held|2}}.
 {{table scene}}
 
 ::: figure balance-01
-alt: Two strips one above the other, against 31 seconds. Above, P swings ten degrees to both sides, less and
-less until it rests at 15.7 seconds, and back. Below, Q is at rest, swings up to ten degrees at 15.7 seconds
-and comes to rest at the end. Thin lines enclose both.
+alt: Two strips one above the other, against two transfer times. Above, P swings ten degrees to both sides,
+less and less until it rests in the middle, and back. Below, Q is at rest, swings up to ten degrees in the
+middle and comes to rest at the end. Thin lines enclose both.
 
 One pan moves, comes to rest, the other has it, and back. The thin lines are those of two swings that are
 added, $n\cos$ and $n\sin$ of half their difference of phase.

@@ -42,9 +42,9 @@ the beam would go.
 
 The pans are in it only by their pulls. While they hang at rest the two pulls are equal and balance each
 other; what they do to the beam is the small difference of two great moments. Along a swing that difference
-follows the beam: $A$ coming down, P has to be braked and pulls with more than its weight, while Q pulls with
-less. So the pans do, to the first order, just what weights fixed to $A$ and $B$ would do
-({{sec balance.14}}).
+follows the beam: as long as $A$ is high it is accelerated downward, and P, which goes with it, pulls with
+less than its weight, Q with more; when $A$ is low it is the other way. So the pans do, to the first order,
+just what weights fixed to $A$ and $B$ would do ({{sec balance.14}}).
 
 ## The program
 
