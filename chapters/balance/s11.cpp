@@ -262,7 +262,7 @@ CHECK_THAT("a tenth of the angles leaves out a hundredth, and of x beyond the ar
 Up to what angle does $A$ move sideways by no more than a hundredth of its way up? And by no more than a
 hundredth of $a$?
 
-answer: By {{eq B}} up to $2\arctan 0{,}01$, a little more than 1°; and up to $\arccos 0{,}99$, which is more
+answer: By {{eq B}} up to $2\arctan 0.01$, a little more than 1°; and up to $\arccos 0.99$, which is more
 than 8°. What is small beside the beam need not be small beside its motion.
 :::
 */

@@ -311,7 +311,7 @@ In {{eq 1}} our copy has $c$ for $a$ in I, while III, which is of the same kind,
 would hardly feel the beam, and Q would.
 */
 
-double term_with(double arm)  // b·ddη:2g + η by I, at η = 0,1 and ddω:2g = 0,05
+double term_with(double arm)  // b·ddη:2g + η by I, at η = 0.1 and ddω:2g = 0.05
 {
   return -arm * 0.1 * 0.05;
 }

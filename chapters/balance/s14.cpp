@@ -302,7 +302,7 @@ const Emendation lengths{"§14, f written out",
                          {"c/g + kk/c + 2Laa/Mc", 0.1 / 16 + 14.4 + 20},
                          {"c + kk/c + 2Laa/Mc", 0.1 + 14.4 + 20},
                          "it is (1) divided out, and a sum of lengths",
-                         [](double f) {  // M = 2, L = ½, a = 2, c = 0,1, k = 1,2
+                         [](double f) {  // M = 2, L = ½, a = 2, c = 0.1, k = 1.2
                            return f * 2 * 0.1 == within_ulps(2 * (1.44 + 0.01) + 4, 8, "few roundings");
                          }};
 
@@ -314,7 +314,7 @@ Move the centre of gravity until beam and pans keep the same time. Where does it
 every length of the strings?
 
 answer: $f = b$ gives $cc - bc + kk + 2Laa:M = 0$; by {{eq A}} the strings must not be shorter than
-{{least_f|4}} ft in the example. With `--b 4` it is possible at two depths of $G$, $2\pm\sqrt{0{,}56}$ ft.
+{{least_f|4}} ft in the example. With `--b 4` it is possible at two depths of $G$, $2\pm\sqrt{0.56}$ ft.
 :::
 */
 

@@ -259,7 +259,7 @@ const Emendation lost_factor{
     {"aℭ sin(γ + λt) : f", 16. / 9 / 6 / 32},
     {"aℭη sin(γ + λt) : f", 16. / 9 / 6 / 32 / 10},
     "it is what the pull of the string lacks of L, times the sine of its inclination",
-    [](double member) {  // η = 0,1, ω = ℭ = ⅙ and at rest: A sinks with aω·2g:f
+    [](double member) {  // η = 0.1, ω = ℭ = ⅙ and at rest: A sinks with aω·2g:f
       const double lacks = 16. / 9 / 6 / 32, lean = 0.1;
       return member == within_ulps(lacks * lean, 3, "a product");
     }};
