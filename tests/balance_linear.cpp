@@ -265,6 +265,24 @@ TEST_CASE("shears as long as the strings, very short ones, and what has no masse
   CHECK_THROWS_AS(modes(Suspended{{1e-9, 2, 1e-9, 0, 1, 1e-18, 16}, 5}), std::domain_error);
 }
 
+TEST_CASE("unequal strings: what Q can have of P's swing")
+{
+  for(const double equal :
+      {handed_on(designed, 0), handed_on(plain, 0), handed_on({heavy_pans, 1, 0.2, false}, 0)})
+    CHECK(equal == within(1, 1e-13, "four modes' shares"));
+  CHECK(handed_on(designed, 0.01) == within(0.990, 0.001, "to the digits that stand here"));
+  CHECK(handed_on(designed, 0.1) == within(0.712, 0.01, "the same"));
+  // two pans alone, of the frequencies' difference d and the splitting s: s/√(s² + d²)
+  const Suspended weak{heavy_pans, 1, 0.01, false};
+  const double split = transfer(weak).splitting;
+  for(const double part : {0.3, 1.0, 4.0})
+    CHECK(handed_on(weak, 2 * part * split / 4)
+          == within_relative(1 / std::sqrt(1 + part * part), 1e-3, "of the order of e²"));
+  CHECK_THROWS_AS(handed_on(designed, -1), std::domain_error);
+  CHECK_THROWS_AS(handed_on({heavy_pans, 1, 0, false}, 0.1), std::domain_error);
+  CHECK_THROWS_AS(handed_on({heavy_pans, 1, -0.125, false}, 0.1), std::domain_error);
+}
+
 TEST_CASE("by the third order the pans exchange their motion, in the time that averaging tells")
 {
   const double known[]{1.0215, 1.0104, 1.0051};
@@ -317,5 +335,10 @@ TEST_CASE("beyond a certain amplitude the exchange is trapped")
         == within_relative(0.2310, 3e-4, "to the digits that stand here"));
   CHECK(trapping(t.splitting, 4, 0.2).ratio
         == within_relative(1.196, 0.02, "an integration has 1.196; n⁴ is left out"));
+  CHECK(trapping(t.splitting, 4, 0.2).reach == 1);
+  CHECK(trapping(t.splitting, 4, 0.25).reach
+        == within(0.498, 0.01, "an integration has 0.498; n⁴ is left out"));
+  CHECK(trapping(1. / 32, 1, 1).reach == within_ulps(sqrt(Fifty(1) / 2), 1, "at the critical amplitude"));
+  CHECK(trapping(1. / 32, 1, 100).reach == within_relative(0.5e-4, 1e-8, "1/2k, k = 10⁴"));
   CHECK_THROWS_AS(trapping(0, 4, 0.1), std::domain_error);
 }

@@ -55,7 +55,10 @@ Trapping trapping(double splitting, double mu, double n)
   if(!(mu > 0 && splitting != 0 && n >= 0 && std::isfinite(mu + splitting + n)))
     throw std::domain_error("no exchange: μ must be positive, the splitting not zero, n not negative");
   const double critical = std::sqrt(32 * std::abs(splitting) / mu);
-  return {critical, trapping_ratio(n / critical)};
+  const double r = n / critical, k = r * r;
+  // ½ − ½√(1 − 1/k²) without the difference
+  const double part = r <= 1 ? 1 : 1 / (2 * k * (k + std::sqrt((r - 1) * (r + 1) * (r * r + 1))));
+  return {critical, trapping_ratio(r), r == 1 ? std::sqrt(0.5) : std::sqrt(part)};
 }
 
 std::vector<Envelope> envelopes(const Balance<>& b, const State<>& start, double until, double window,

@@ -38,6 +38,7 @@ struct Trapping
   double critical;  ///< the amplitude √(32|σ−μ|/μ) beyond which the exchange remains incomplete
   double
       ratio;  ///< transfer time to that of small swings, (2/π)K(k), k = (n/critical)²; ∞ at it, NaN beyond
+  double reach;  ///< Q's greatest amplitude, in parts of n: 1 below, 1/√2 at it, √(½ − ½√(1 − 1/k²)) beyond
 };
 
 /// For the amplitude n. Errors of some ulps of n/critical. @throws std::domain_error unless μ > 0, splitting ≠ 0, n ≥ 0

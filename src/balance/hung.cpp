@@ -286,6 +286,38 @@ Transfer transfer(const Suspended& s)
           static_cast<double>(estimate)};
 }
 
+double handed_on(const Suspended& s, double longer)
+{
+  check(s);
+  if(!(longer > -1 && std::isfinite(longer) && (s.movable || s.e != 0)))
+    throw std::domain_error(
+        "nothing to hand on: the strings must be positive, and something couple the pans");
+  const auto& [a, b, c, kk, L, M, g] = s.beam;
+  const double other = b * (1 + longer), h = s.h, weight = M * c + 2 * L * s.e;
+  Eigen::Matrix4d mass;
+  mass << (M + 2 * L) * h * h, weight * h, L * b * h, L * other * h,                             //
+      weight * h, M * (kk + c * c) + 2 * L * (a * a + s.e * s.e), L * b * s.e, L * other * s.e,  //
+      L * b * h, L * b * s.e, L * b * b, 0,                                                      //
+      L * other * h, L * other * s.e, 0, L * other * other;
+  const Eigen::Vector4d stiffness = 2 * g * Eigen::Vector4d((M + 2 * L) * h, weight, L * b, L * other);
+  const Eigen::Vector4d scale = mass.diagonal().cwiseSqrt().cwiseInverse();  // so that all masses are 1
+  const Eigen::MatrixXd unit = scale.asDiagonal() * mass * scale.asDiagonal();
+  const Eigen::MatrixXd pull = stiffness.cwiseProduct(scale.cwiseAbs2()).asDiagonal();
+  const int n = s.movable ? 4 : 3;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(pull.bottomRightCorner(n, n),
+                                                                         unit.bottomRightCorner(n, n));
+  if(solver.info() != Eigen::Success || !(solver.eigenvalues()[0] > 0))
+    throw std::domain_error("no such balance: a mode topples");
+  double sum = 0;
+  for(int k = 0; k < n; ++k)
+  {
+    const Eigen::VectorXd shape = solver.eigenvectors().col(k);
+    const double of_P = unit.bottomRightCorner(n, n).row(n - 2).dot(shape) / scale[2];
+    sum += std::abs(shape[n - 1] * scale[3] * of_P);
+  }
+  return sum;
+}
+
 Full_state linear_motion(const Suspended& s, const Full_state& start, double t)
 {
   const Matrices m = matrices_of(s);

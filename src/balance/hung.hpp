@@ -75,6 +75,13 @@ struct Transfer
 /// For small swings. @throws std::domain_error as modes() does
 Transfer transfer(const Suspended& s);
 
+/// The most that Q can have of the swing of P, which is let go alone, where Q's string is longer than P's by the part
+/// `longer` of it: what the linear modes so excited have of ϑ, signs left aside; 1 where the strings are equal and something
+/// couples them. A motion comes as near to it as one likes if the frequencies have no common measure. Error below 1e-10
+/// for moderate instruments (Eigen's solver alone; tests/balance_linear.cpp).
+/// @throws std::domain_error as modes() does, unless longer > −1, and where a mode topples or nothing couples the pans
+double handed_on(const Suspended& s, double longer);
+
 /// The linear motion at the time t: the sum of the modes with the parts that the start gives them.
 /// @throws std::domain_error as modes() does
 Full_state linear_motion(const Suspended& s, const Full_state& start, double t);
