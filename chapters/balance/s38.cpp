@@ -41,8 +41,8 @@ and the weights have the potential
 $$ -(M+2L)h\cos\varphi - Mc\cos\omega - Lb(\cos\eta+\cos\vartheta). \tag{B} $$
 
 For small swings one motion is simple: the pans against each other, $\eta=-\vartheta$, with the frequency μ
-while $C$ and the beam rest. The others have $\eta=\vartheta$. With $\nu\nu = 2g/h$, the frequency of the shears
-if nothing else moved, and
+while $C$ and the beam rest. The others have $\eta=\vartheta$. With $\nu\nu = 2g/h$, the frequency of the
+shears if nothing else moved, and
 
 $$ \varepsilon = \frac{2L}{M+2L}, \qquad \kappa^2 = \frac{M^2c^2}{(M+2L)I}, $$
 
@@ -50,9 +50,10 @@ their squares $s=\sigma^2$ are the roots of a cubic,
 
 $$ (\nu^2-s)(\lambda^2-s)(\mu^2-s) = s^2\kappa^2(\mu^2-s) + s^2\varepsilon(\lambda^2-s). \tag{C} $$
 
-As $c$ is small, so is κ, and the beam hardly takes part: what remains is $(\nu^2-s)(\mu^2-s)=\varepsilon s^2$,
-two pendulums, the one of both pans and the one of the shears. The root σ next to μ differs from it. A pan
-that swings alone is half the one motion and half the other; the halves get out of step, and after the time
+As $c$ is small, so is κ, and the beam hardly takes part: what remains is
+$(\nu^2-s)(\mu^2-s)=\varepsilon s^2$, two pendulums, the one of both pans and the one of the shears. The root
+σ next to μ differs from it. A pan that swings alone is half the one motion and half the other; the halves get
+out of step, and after the time
 
 $$ T = \frac{\pi}{|\sigma-\mu|} \approx \frac{2\pi\,|\mu^2-\nu^2|}{\varepsilon\mu^3} \tag{D} $$
 
@@ -192,22 +193,23 @@ all is undone.
 
 {{table energies}}
 
-So the scene that Bernoulli had seen ({{sec balance.01}}) plays before our eyes, the beam all the while visibly at
-rest. By the approximation in {{eq D}} it would take {{estimate|4}} s, by the cubic it takes {{time|6}} s.
+So the scene that Bernoulli had seen ({{sec balance.01}}) plays before our eyes, the beam all the while
+visibly at rest. By the approximation in {{eq D}} it would take {{estimate|4}} s, by the cubic it takes
+{{time|6}} s.
 
 ::: figure balance-38
-alt: Above, the swings of P: wide, dying away to rest at sixteen seconds, wide again at thirty-one. Below, those of Q,
-which are widest where P's vanish.
+alt: Above, the swings of P: wide, dying away to rest at sixteen seconds, wide again at thirty-one. Below,
+those of Q, which are widest where P's vanish.
 
-The exchange by the full equations in the instrument designed for it: P, let go at 10°, above; Q, which was at rest,
-below; in parts of the first swing. Dashed, what the two modes at 4 and 4,2 alone would make of them.
+The exchange by the full equations in the instrument designed for it: P, let go at 10°, above; Q, which was at
+rest, below; in parts of the first swing. Dashed, what the two modes at 4 and 4.2 alone would make of them.
 :::
 
 ### Three causes
 
-Besides the moving pivot, two causes were met that Euler either set aside or did not see: ends of the beam that do not
-lie in line with $C$ ({{sec balance.37}}), and, with ends in line and $C$ fixed, the swinging beam itself, at the third order
-({{sec balance.31}}). In one instrument their times can be compared.
+Besides the moving pivot, two causes were met that Euler either set aside or did not see: ends of the beam
+that do not lie in line with $C$ ({{sec balance.37}}), and, with ends in line and $C$ fixed, the swinging beam
+itself, at the third order ({{sec balance.31}}). In one instrument their times can be compared.
 */
 
 struct Seen  // in a motion
@@ -276,20 +278,21 @@ TELL
   row("C fixed, A and B lower by a/10", second, seen(course_of(lowered, 0), 1.5 * second, 4));
   const Seen held = seen(course_of(fixed, 0), 1.5 * first, 4);
   tell("held", held.Q / n,
-       "C fixed, A and B in line, the beam at rest: Q's greatest swing until 1,5 T, over P's", 2);
+       "C fixed, A and B in line, the beam at rest: Q's greatest swing until 1.5 T, over P's", 2);
 }
 
 /*!
 {{table causes}}
 
-With $C$ held and neither of the two others at work, Q has no more than {{held|2}} of P's swing after the same time.
+With $C$ held and neither of the two others at work, Q has no more than {{held|2}} of P's swing after the same
+time.
 
 ::: figure balance-38-causes
-alt: Three curves over a logarithmic axis of time, each rising from zero to about one: at sixteen seconds, at some five
-hundred, and at nearly a thousand.
+alt: Three curves over a logarithmic axis of time, each rising from zero to about one: at sixteen seconds, at
+some five hundred, and at nearly a thousand.
 
-How far Q swings, in parts of P's first swing, for three causes. The ways are alike; it is the time that tells. A balance
-whose swings die down in some minutes shows the first alone.
+How far Q swings, in parts of P's first swing, for three causes. The ways are alike; it is the time that
+tells. A balance whose swings die down in some minutes shows the first alone.
 :::
 */
 
@@ -330,17 +333,18 @@ TELL
 /*!
 ### Two limits
 
-One lies in the amplitude. A pendulum that swings by $n$ is slower by $\frac1{16}nn$ ({{sec balance.04}}), so that the
-pan with the motion and the pan without are out of tune. Weigh this against the coupling, and the exchange is complete
-only below a certain swing, and takes the longer the nearer one is to it:
+One lies in the amplitude. A pendulum that swings by $n$ is slower by $\frac1{16}nn$ ({{sec balance.04}}), so
+that the pan with the motion and the pan without are out of tune. Weigh this against the coupling, and the
+exchange is complete only below a certain swing, and takes the longer the nearer one is to it:
 
-$$ n_c = \sqrt{\frac{32\,|\sigma-\mu|}\mu}, \qquad T_n = T\cdot\frac2\pi K(k), \quad k = \frac{n^2}{n_c^2}, \tag{E} $$
+$$ \begin{gathered} n_c = \sqrt{\frac{32\,|\sigma-\mu|}\mu},\\
+   T_n = T\cdot\frac2\pi K(k), \quad k = \frac{n^2}{n_c^2}, \end{gathered} \tag{E} $$
 
 $K$ being the complete elliptic integral. Beyond $n_c$ the motion stays where it is, and Q never has more than
 $\sqrt{\frac12-\frac12\sqrt{1-1:k^2}}$ of it.
 
-The other lies in the strings. If Q's is the longer by the part $d$, its frequency is lower by about $\frac12d\mu$, and
-two oscillators so far out of tune exchange but a part; of the swing
+The other lies in the strings. If Q's is the longer by the part $d$, its frequency is lower by about
+$\frac12d\mu$, and two oscillators so far out of tune exchange but a part; of the swing
 
 $$ \frac{1}{\sqrt{1+\delta^2}}, \qquad \delta = \frac{d\mu}{2\,|\sigma-\mu|}, \tag{F} $$
 
@@ -385,22 +389,23 @@ TELL
 }
 
 /*!
-The instrument given has $n_c$ = {{critical|3}}, more than any pan will swing; and with a string of Q longer by
-{{longer}} % Q still has {{handed_on|3}} of P's swing. It is a balance for the purpose: its coupling is strong. With a
-beam of a thousand pans' weight the limit is at some thirteen degrees.
+The instrument given has $n_c$ = {{critical|3}}, more than any pan will swing; and with a string of Q longer
+by {{longer}} % Q still has {{handed_on|3}} of P's swing. It is a balance for the purpose: its coupling is
+strong. With a beam of a thousand pans' weight the limit is at some thirteen degrees.
 
 ::: figure balance-38-trapping
-alt: Q's greatest swing against P's first. It is one up to the critical swing, falls at once to seven tenths and then on as a
-curve; the points of the full motion lie near it.
+alt: Q's greatest swing against P's first. It is one up to the critical swing, falls at once to seven tenths
+and then on as a curve; the points of the full motion lie near it.
 
-How much of P's swing Q can have, for a beam of a thousand times a pan's weight: by {{eq E}}, and by the full equations
-(points). Beyond the critical swing the exchange stops short at a stroke.
+How much of P's swing Q can have, for a beam of a thousand times a pan's weight: by {{eq E}}, and by the full
+equations (points). Beyond the critical swing the exchange stops short at a stroke.
 :::
 
 ## Checks
 
-The equations are formed once more as a child would build the balance, of links. Each body's place is a sum of links
-$l_k(\sin(q_k+\delta_k), \cos(q_k+\delta_k))$, to the right and down, and Newton's law is summed over the bodies.
+The equations are formed once more as a child would build the balance, of links. Each body's place is a sum of
+links $l_k(\sin(q_k+\delta_k), \cos(q_k+\delta_k))$, to the right and down, and Newton's law is summed over
+the bodies.
 */
 
 template <class Number>
@@ -530,8 +535,8 @@ Links<double> by_links(const Suspended& s, const Full_state& from, double until)
 }
 
 /*!
-For small swings the masses and forces of these links are constant, and the motion is a power series of the time, summed in
-fifty digits.
+For small swings the masses and forces of these links are constant, and the motion is a power series of the
+time, summed in fifty digits.
 */
 
 struct Small
@@ -995,25 +1000,28 @@ const Erratum only_vertically{"§38, how far A has moved sideways against down w
 /*!
 ## Notes
 
-With ever shorter shears, or an ever heavier beam, $T$ grows without end: so Euler's fixed pivot is contained in this as a
-limit. But there is no fixed pivot, only one that moves little, and two equal pans wait for it.
+With ever shorter shears, or an ever heavier beam, $T$ grows without end: so Euler's fixed pivot is contained
+in this as a limit. But there is no fixed pivot, only one that moves little, and two equal pans wait for it.
 
-What the model leaves out is what ends it all, the air and the friction at $C$. Whether one sees an exchange depends on
-whether $T$ is shorter than the time in which the swings die away.
+What the model leaves out is what ends it all, the air and the friction at $C$. Whether one sees an exchange
+depends on whether $T$ is shorter than the time in which the swings die away.
 
 ## Go on from here
 
 ::: exercise
 Let the shears be as long as the strings ($h = b$). What becomes of the three modes with $\eta=\vartheta$,
 if the beam's own part, κ, is left aside?
-answer: One is the beam alone, the others have $\sigma^2 = \mu^2:(1\pm\sqrt\varepsilon)$, one on either side of μ and nearly as
-far from it. So three motions exchange, those of P, of Q and of the shears. A check confirms it for a small $c$.
+answer: One is the beam alone, the others have $\sigma^2 = \mu^2:(1\pm\sqrt\varepsilon)$, one on either side
+of μ and nearly as far from it. So three motions exchange, those of P, of Q and of the shears. A check
+confirms it for a small $c$.
 :::
 
 ::: exercise
-A hand that slowly pulls P aside by $\eta$ pulls the shears too, until it lets go. By how much, and does it spoil the exchange?
-answer: By $\varphi = L\eta:(M+2L)$, to the same side, since the pull $L\eta$ of the string is that which holds the whole
-weight, $M+2L$, at the inclination φ. Hardly: in an instrument of round numbers Q still has more than 0,99 of P's swing. A check confirms it.
+A hand that slowly pulls P aside by $\eta$ pulls the shears too, until it lets go. By how much, and does it
+spoil the exchange?
+answer: By $\varphi = L\eta:(M+2L)$, to the same side, since the pull $L\eta$ of the string is that which
+holds the whole weight, $M+2L$, at the inclination φ. Hardly: in an instrument of round numbers Q still has
+more than 0.99 of P's swing. A check confirms it.
 :::
 */
 
@@ -1028,7 +1036,7 @@ CHECK_THAT("shears as long as the strings: σ² = μ²/(1 ± √ε), when c is s
   CHECK(all[3].square == within_relative(16 / (1 - root), 1e-8, "the same"));
 }
 
-CHECK_THAT("with shears displaced as a hand would, Q has more than 0,99 of P's swing")
+CHECK_THAT("with shears displaced as a hand would, Q has more than 0.99 of P's swing")
 {
   const double part = 1. / 22;  // L : (M + 2L) of the instrument in round numbers
   const auto at =
