@@ -136,7 +136,7 @@ bool arrives(const Energy<Fifty>& e, const Place<Fifty>& there)
 
 TELL
 {
-  require(c <= 100 * k && k <= 1e6 * c, "c", "between a millionth of k and a hundred times k");
+  require(c <= 100 * k && k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
   const Energy<Fifty> e0 = energy_asked();
   const Place<Fifty> place0 = where.fifty();
   const auto e = rounded(e0);
