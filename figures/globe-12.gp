@@ -1,0 +1,14 @@
+load "figures/style.gp"
+curves = "globe-12.parts"
+stats tsv(curves) using "Phi" nooutput; end = STATS_max
+stats tsv(curves) using (column("turning") + column("upright")) nooutput; high = STATS_max
+set xlabel "angle Φ (degrees)"
+set ylabel "living force over {/:Italic P}, without {/:Italic ff} (ft²/s²)"
+set xrange [-end:end]
+set yrange [0:1.1 * high]
+set label "turning" at 0, 0.4 * high center textcolor linetype 1
+set label "rise and fall of {/:Italic G}" at 0, 1.06 * high center textcolor linetype 3
+plot tsv(curves) using "Phi":(0):"turning" with filledcurves linecolor rgb blue, \
+     "" using "Phi":"turning":(column("turning") + column("upright")) with filledcurves linecolor rgb green \
+        fillstyle transparent solid 0.6 noborder, \
+     "" using "Phi":(column("turning") + column("upright")) with lines linetype 7
