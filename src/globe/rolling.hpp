@@ -99,7 +99,7 @@ struct Loss
 
 /// At the top exactly when kk ≥ (a + c)(3c − a), hence always when c ≤ a/3; else before it. Then the energy is
 /// the least of all with which the pressure vanishes at some angle, −Q₀/Q₁ in w = sin² ½Φ, where its derivative's
-/// numerator, of the fourth degree, vanishes. Error in double: 10⁻¹³ of h, 10⁻¹² of the angle.
+/// numerator, of the fourth degree, vanishes. In double by way of fifty digits, a quarter of a millisecond: 1 ulp each.
 template <class Real>
 Loss<Real> loss_of_pressure(const Ball<Real>& ball);
 
