@@ -485,7 +485,7 @@ CHECK_THAT("a tenth of the inclination takes ln 10 : κ longer to fall, to its s
 /*!
 ## Notes
 
-Equilibrium in every position needs more than $c = 0$: the points $A$, $C$, $B$ must lie in a line and the pans
-must weigh the same. If $A$ and $B$ lie a little below $C$ the weights of the pans drive the beam back
-({{sec balance.37}}), and one heavier pan tilts it to the vertical ({{sec balance.02}}).
+Equilibrium in every position needs more than $c = 0$: the points $A$, $C$, $B$ must lie in a line and the
+pans must weigh the same. If $A$ and $B$ lie a little below $C$ the weights of the pans drive the beam back
+({{sec balance.37}}), and with unequal pans the heavier sinks to the lowest place ({{sec balance.02}}).
 */
