@@ -35,9 +35,9 @@ alike.
 ## The program
 
 The scene can be played at once, with the circumstance put back in. The balance hangs from a point $O$ by
-shears of the length $h$, at whose lower end is $C$ with the beam; shears, beam and strings turn freely, and
-friction and air are left out. P is pulled aside by $n$ and let go, everything else hangs straight down. The
-four angles obey the full equations ({{api balance::Full_motion}}). To very small swings belong four
+{{term shears}} of the length $h$, at whose lower end is $C$ with the beam; shears, beam and strings turn
+freely, and friction and air are left out. P is pulled aside by $n$ and let go, everything else hangs straight
+down. The four angles obey the full equations ({{api balance::Full_motion}}). To very small swings belong four
 frequencies, of which two are near that of a pan alone. It is μ for pans that swing against each other; let
 it be σ where they swing with each other, and
 

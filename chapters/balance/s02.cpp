@@ -8,8 +8,8 @@ using namespace balance;
 /*!
 ## What Euler does
 
-From the word *sluggish* in the report Euler reads off where the centre of gravity of the beam must lie:
-below the point about which it turns. If it lay in that point the beam would rest in every position, and
+From the word {{term sluggish}} in the report Euler reads off where the centre of gravity of the beam must
+lie: below the point about which it turns. If it lay in that point the beam would rest in every position, and
 above it the beam would fall over. A beam that seeks its level, and seeks it slowly, has it a little below.
 
 Besides it is easily understood, he says, that one pan cannot have acted on the other unless the beam was

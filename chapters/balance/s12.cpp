@@ -30,12 +30,12 @@ a\omega:f$ in weights of a pan.
 
 Right to the first order of the angles, {{eq 2}} will be used at the second: in I and III the tension is
 multiplied by η or ϑ, and there the first order suffices; but in V the tensions themselves stand, and there
-that order is the last which is right. To the second
+that order is the last which is right. To the {{term second order}}
 
 $$ \frac PL = 1 + \frac{a\ddot\omega + b\dot\eta^2}{2g} - \tfrac12\eta^2, \qquad
    \frac QL = 1 - \frac{a\ddot\omega - b\dot\vartheta^2}{2g} - \tfrac12\vartheta^2, \tag{A} $$
 
-with $\ddot\omega$ to the second order. Every pendulum pulls with less than its weight where it turns, and
+with $\ddot\omega$ to that order. Every pendulum pulls with less than its weight where it turns, and
 with more where it passes the vertical. For pans that swing as far as the beam this is more than what the beam
 does.
 
