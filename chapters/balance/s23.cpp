@@ -152,8 +152,8 @@ With pans that have 0.35 of the inertia each, Q grows by {{heavy_seen|3}} of its
 alt: Q's amplitude on a logarithmic scale against the time. With heavy pans it climbs along a straight line
 until it is as great as P's; with light ones it stays as small as it was.
 
-Q's swing in parts of P's, the beam being at rest when the pans are let go: with heavy pans, with light ones,
-and {{eq C}} (dashed).
+Q's swing in parts of P's, the beam being at rest when the pans are let go: with heavy pans, with light ones;
+the dashed line has the slope of {{eq C}}.
 :::
 
 ## Checks
