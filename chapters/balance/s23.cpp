@@ -45,7 +45,8 @@ $$ \rho_1 = \frac{4\mu\mu-\lambda\lambda}{32\mu\mu}, \tag{B} $$
 
 about an eighth. Beyond it Q grows from the least beginning, as $e^{rt}$ with
 
-$$ r = \frac{nn}4\sqrt{\frac\mu2\left(s-\frac\mu8\right)}, \qquad s = \frac{4\rho\mu^3}{4\mu\mu-\lambda\lambda}. \tag{C} $$
+$$ r = \frac{nn}4\sqrt{\frac\mu2\left(s-\frac\mu8\right)}, \qquad
+   s = \frac{4\rho\mu^3}{4\mu\mu-\lambda\lambda}. \tag{C} $$
 
 So the conclusion about the first impulse does not hold: an exchange is no proof that the beam was pushed.
 
