@@ -31,7 +31,8 @@ slower, by $\frac1{16}mm$. Here there is another thing of the same order. The pa
 arcs, and follow them with their own swings of the second order ({{sec balance.28}}); these pull back at the
 beam. In the mean the beam's frequency is
 
-$$ \lambda\left[1 - mm\left(\frac1{16} + \frac{2\rho\lambda\lambda}{\mu\mu-4\lambda\lambda}\right)\right], \tag{A} $$
+$$ \lambda\left[1 - mm\left(
+   \frac1{16} + \frac{2\rho\lambda\lambda}{\mu\mu-4\lambda\lambda}\right)\right], \tag{A} $$
 
 if the pans hung at rest at the start, ρ being $Laa:I$. With short strings, μ being great, the second part
 vanishes: the pans go along with $A$ and $B$ as if they were fixed there, and the beam is the pendulum (3) to
