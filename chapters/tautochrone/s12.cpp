@@ -42,7 +42,8 @@ $\varphi$ as soon as the cheek is given.
 $f = AD$, which is greater than $a$ by very little: $f - a = kk/a$. If $T$ errs by the part $\varepsilon$, and
 swings that are not infinitely small last too long ({{sec tautochrone.01}}), then $k$ errs by the part
 
-$$ \frac{\delta k}{k} = \frac{aa + kk}{kk}\left(\varepsilon + \frac{\varphi_0^2}{16}\right) \text{ nearly}. \tag{A} $$
+$$ \frac{\delta k}{k} = \frac{aa + kk}{kk}\left(\varepsilon + \frac{\varphi_0^2}{16}\right)
+   \text{ nearly}. \tag{A} $$
 
 For $k = \tfrac1{10}a$ that is a hundredfold. So the difference must be measured itself. Let a simple pendulum
 of the length $a$ swing beside the body, and let $\delta$ be the part by which the body's swing is longer,
