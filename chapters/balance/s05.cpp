@@ -125,13 +125,14 @@ CHECK_THAT("the four coordinates are those of § 6, and the angles that they com
               "a=50 b=70 omega=60 eta=-20 theta=-75 slip=0.5"))
   {
     const Angles<Fifty> at{omega.fifty(), eta.fifty(), theta.fifty()};
-    const auto [x, y, x1, y1] = places<Fifty>(a.fifty(), b.fifty(), at);
+    const Places<Fifty> is = places<Fifty>(a.fifty(), b.fifty(), at);
     const double size = a + b, room = 3e-16 * size;
-    CHECK(now.value("x", feet) == within(x, room, "two products of sines"));
-    CHECK(now.value("y", feet) == within(y, room, "the same"));
-    CHECK(now.value("x1", feet) == within(x1, room, "the same"));
-    CHECK(now.value("y1", feet) == within(y1, room, "the same"));
-    const double divisor = std::abs(double(x * y1 + x1 * y)), off = 4e-15 * size * size * size / divisor;
+    CHECK(now.value("x", feet) == within(is.x, room, "two products of sines"));
+    CHECK(now.value("y", feet) == within(is.y, room, "the same"));
+    CHECK(now.value("x1", feet) == within(is.x1, room, "the same"));
+    CHECK(now.value("y1", feet) == within(is.y1, room, "the same"));
+    const double divisor = std::abs(double(is.x * is.y1 + is.x1 * is.y)),
+                 off = 4e-15 * size * size * size / divisor;
     const char* const why = "the coordinates' roundings, as (B) enlarges them";
     CHECK(now.value("omega_found", degrees) == within(at.omega, off / a, why));
     CHECK(now.value("eta_found", degrees) == within(at.eta, off / b, why));
@@ -178,10 +179,10 @@ CHECK_THAT("the paths drawn are those of the motion that GSL finds")
     {
       const double time = point.at("lambda_t") * 1_deg;
       const State<> there = time > 0 ? by_gsl(numbers_of(instrument_of_35), start, time, 1e-13) : start;
-      const auto [x, y, x1, y1] = places<double>(instrument_of_35.a, instrument_of_35.b, there.at);
-      CHECK(point.value("x") == within(x, 1e-11, "GSL's tolerance"));
-      CHECK(point.value("y") == within(y, 1e-11, "the same"));
-      CHECK(point.value("x1") == within(x1, 1e-11, "the same"));
-      CHECK(point.value("y1") == within(y1, 1e-11, "the same"));
+      const Places<> is = places<double>(instrument_of_35.a, instrument_of_35.b, there.at);
+      CHECK(point.value("x") == within(is.x, 1e-11, "GSL's tolerance"));
+      CHECK(point.value("y") == within(is.y, 1e-11, "the same"));
+      CHECK(point.value("x1") == within(is.x1, 1e-11, "the same"));
+      CHECK(point.value("y1") == within(is.y1, 1e-11, "the same"));
     }
 }
