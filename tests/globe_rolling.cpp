@@ -13,6 +13,7 @@
 #include "edition/compare.hpp"
 #include "exact/ode.hpp"
 #include "exact/quadrature.hpp"
+#include "globe/oracle.hpp"
 #include "globe/rolling.hpp"
 #include "globe/smooth.hpp"
 
@@ -137,6 +138,26 @@ TEST_CASE("in double times keep what they promise, from the smallest swing to th
   CHECK(rolling::excess(ball, energy(1e-20))
         == within_relative(Fifty("3.35470085470085470087142059774e-21"), 1e-15, bound));
   CHECK(rolling::quarter(ball, energy(1.0)) == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE(
+    "the formula and the quadrature that judges it agree, in every regime, and its inverse comes back")
+{
+  for(const Ball<Fifty>& b :
+      {exact_ball, cradle<Fifty>, Ball<Fifty>{1, 1, Fifty("1e-5")}, Ball<Fifty>{2, 7, 1}})
+    for(const char* below : {"0.9999999999", "0.3", "1e-12", "1e-60", "0", "-1e-20", "-0.5", "-1e8"})
+    {
+      const Energy<Fifty> e{1 - Fifty(below), Fifty(below)};
+      const Place<Fifty> there = place(e.h < 0.5 ? Fifty(sqrt(e.h)) : Fifty("1.1"));
+      const Fifty time = rolling::time(b, e, there);
+      CHECK(oracle::rolling_time(b, e, there) == within_relative(time, 1e-34, "the judge's bound"));
+      if(e.from_top != 0)
+        CHECK(oracle::rolling_quarter(b, e)
+              == within_relative(rolling::quarter(b, e), 1e-34, "the judge's bound"));
+      CHECK(oracle::rolling_place(b, e, time).s
+            == within_relative(there.s, 1e-25, "one step of Newton's method"));
+    }
+  CHECK(oracle::rolling_quarter(exact_ball, energy(Fifty(1))) == edition::infinite("the top"));
 }
 
 TEST_CASE("with the centre of gravity all but on the rim the bottom costs no digits")

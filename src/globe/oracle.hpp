@@ -28,6 +28,15 @@ exact::Fifty smooth_quarter(const exact::Fifty& c, const exact::Fifty& k, const 
 Place<exact::Fifty> smooth_place(const exact::Fifty& c, const exact::Fifty& k,
                                  const Energy<exact::Fifty>& e, const exact::Fifty& tau);
 
+/// The same of the ball that rolls, a, c, k > 0, by the integral of §28.
+/// @{
+exact::Fifty rolling_time(const Ball<exact::Fifty>& ball, const Energy<exact::Fifty>& e,
+                          const Place<exact::Fifty>& place);
+exact::Fifty rolling_quarter(const Ball<exact::Fifty>& ball, const Energy<exact::Fifty>& e);
+Place<exact::Fifty> rolling_place(const Ball<exact::Fifty>& ball, const Energy<exact::Fifty>& e,
+                                  const exact::Fifty& tau);
+/// @}
+
 /// What Gauss's rule with n ≥ 1 nodes gives for the integral of f from a to b, in fifty digits.
 exact::Fifty gauss(int n, const std::function<exact::Fifty(const exact::Fifty&)>& f, const exact::Fifty& a,
                    const exact::Fifty& b);
