@@ -46,10 +46,10 @@ be integrated. The first of {{eq 2}} at once:
 
 $$ \frac{dx}{dt} + \lambda\Bigl(\frac{dy}{dt} + 2g\,t\Bigr) = \text{Const.} \tag{A} $$
 
-In {{eq 4}}, the time is not contained, nor $s$. With
+In {{eq 4}} neither the time is contained nor $s$. With
 
-$$ q = \lambda(a - c\cos\Phi) - c\sin\Phi, \quad M = kk - cq\sin\Phi, \quad
-   J = \int\frac{a\cos\Phi - c}M\,d\Phi \tag{B} $$
+$$ \begin{gathered} q = \lambda(a - c\cos\Phi) - c\sin\Phi, \qquad M = kk - cq\sin\Phi,\\
+   J = \int\frac{a\cos\Phi - c}M\,d\Phi \end{gathered} \tag{B} $$
 
 it is $M\,dd\Phi = q\,(2g\,dt^2 + c\,d\Phi^2\cos\Phi)$, a linear equation for the square of $w = d\Phi/dt$,
 and
@@ -121,13 +121,13 @@ const std::array<const char*, 4> in_words{"scrapes forwards", "scrapes back", "r
 void tell_events(const char* name, const char* caption, const Path<double>& path, double T, double L)
 {
   auto& events = table(name, caption,
-                       {{"t", "t", seconds, 10},
-                        {"does", "from then on it"},
-                        {"Phi", "Φ", degrees, 10},
-                        {"w", "dΦ/dt", Unit{"1/s"}, 10},
-                        {"sigma", "σ", Unit{"ft/s"}},
-                        {"s", "s", feet, 10},
-                        {"energy", "energy", Unit{"ft²/s²"}, 10}});
+                       {{"t", "t", seconds, 8},
+                        {"does", "then it"},
+                        {"Phi", "Φ", degrees, 7},
+                        {"w", "dΦ/dt", Unit{"1/s"}, 7},
+                        {"sigma", "σ", Unit{"ft/s"}, 4},
+                        {"s", "s", feet},
+                        {"energy", "energy", Unit{"ft²/s²"}, 7}});
   for(const auto& event : path.events())
   {
     const State<double>& at = event.state;
@@ -174,25 +174,8 @@ TELL
 }
 
 /*!
-The bowled ball scrapes at first and loses velocity while it begins to turn; when its $a\,d\Phi$ has grown
-to $ds$ it rolls, and rolls for ever. That cost it {{lost|4}} of its energy. A homogeneous ball would go on
-uniformly from there; ours goes on by fits, as $G$ goes up and down.
-
-{{table events}}
-
-::: figure globe-08
-alt: Two curves against the time. One, the velocity of the centre, falls; the other, the radius times the
-angular velocity, rises from nothing. They meet, and from there on go together in waves.
-
-The bowled ball: the velocity $ds/dt$ of its centre (blue) and $a\,d\Phi/dt$ (red). Where they meet it
-begins to roll.
-:::
-
-Not every motion is settled by one change. The chapter's cradle, let go at an angle that asks for more
-friction than there is, scrapes and rolls by turns: it stops scraping as it comes down, rolls through the
-lowest place, and on the other side begins to scrape again before it turns back. The same cradle, set
-rolling fast, scrapes before the top, since there the pressure wanes and friction with it; and so it is
-thrown off the plane, from which perfect rolling would never have parted it ({{sec globe.27}}).
+Two motions of the chapter's cradle, of which $2g$ is 1, are told beside it: it is let go at 1 radian where
+there is a friction of a fifth, and set rolling where there is one of a third.
 */
 
 Measured let_go()
@@ -220,6 +203,26 @@ TELL
 }
 
 /*!
+The bowled ball scrapes at first and loses velocity while it begins to turn; when its $a\,d\Phi$ has grown
+to $ds$ it rolls, and rolls for ever. That cost it {{lost|4}} of its energy. A homogeneous ball would go on
+uniformly from there; ours goes on by fits, as $G$ goes up and down.
+
+{{table events}}
+
+::: figure globe-08
+alt: Two curves against the time. One, the velocity of the centre, falls; the other, the radius times the
+angular velocity, rises from nothing. They meet, and from there on go together in waves.
+
+The bowled ball: the velocity $ds/dt$ of its centre (blue) and $a\,d\Phi/dt$ (red). Where they meet it
+begins to roll.
+:::
+
+Not every motion is settled by one change. The chapter's cradle, let go at an angle that asks for more
+friction than there is, scrapes and rolls by turns: it stops scraping near the lowest place, at first behind
+it and later before it, rolls on, and begins to scrape again before it turns back. The same cradle, set
+rolling fast, scrapes before the top, since there the pressure wanes and friction with it; and so it is
+thrown off the plane, from which perfect rolling would never have parted it ({{sec globe.27}}).
+
 {{table swings}}
 
 {{table jump}}
@@ -430,6 +433,15 @@ CHECK_THAT("the two motions of the cradle are those of Newton's equations, too")
   for(const Told& now : told_at(""))
   {
     CHECK(compare(let_go(), now.rows("swings"), 1, 1).back().mode == Mode::scraping_forwards);
+    int n = 0;
+    for(const auto& row : now.rows("swings"))
+    {
+      // Away from the lowest place: where it begins to scrape, and where it first begins to roll, twice.
+      const bool away = row.at("Phi", degrees) * row.at("w", Unit{"1/s"}) > 0;
+      CHECK(away == (n > 0 && (n % 2 == 0 || n < 4)));
+      CHECK(row.value("does") == (n % 2 == 1 ? "rolls" : n % 4 == 0 ? "scrapes forwards" : "scrapes back"));
+      ++n;
+    }
     CHECK(compare(set_rolling(), now.rows("jump"), 1, 1).back().mode == Mode::off);
     CHECK(now.rows("jump").back().value("does") == "is off the plane");
     CHECK(rolling::loss_of_pressure(cradle<Fifty>).h == between(3, 4, "rolling with h = 3 it would bear"));
