@@ -321,7 +321,8 @@ CHECK_THAT("four particles that fall about an axis have at any angle the rotatio
 At what distance from its middle must a rod be hung to swing as fast as it can, and how much shorter is its
 simple pendulum then than when it hangs by its end?
 
-answer: At $L/\sqrt{12} = 0.289\,L$; there it is $0.577\,L$ against $0.667\,L$: `--d 0.2887` tells it.
+answer: At $L/\sqrt{12} = {{at|3}}\,L$; there it is ${{shortest|3}}\,L$ against ${{rod|3}}\,L$: `--d 0.2887`
+tells it.
 :::
 */
 
