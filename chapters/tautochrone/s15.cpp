@@ -334,9 +334,9 @@ copy's word comes to as a number.
 
 const Erratum greater{
     "§15, GZ and GH",
-    {"GZ is greater than GH: by the size of ddφ, GZ : GH = 1,11",
+    {"GZ is greater than GH: by the size of ddφ, GZ : GH = 1.11",
      [] { return std::cos(10_deg) * -turned() / (std::cos(10_deg) * -turned() - wound()); }},
-    {"GZ is smaller than GH: with its sign, GZ : GH = 0,91",
+    {"GZ is smaller than GH: with its sign, GZ : GH = 0.91",
      [] { return std::cos(10_deg) * turned() / (std::cos(10_deg) * turned() - wound()); }},
     "the accelerations of the body demand it, here and wherever the thread is wound",
     [](double reading) { return is_arm(reading * 0.01 / std::cos(10_deg)); }};
