@@ -12,7 +12,7 @@ of(n) = column("kind") == n ? column("x") : NaN
 set label "circle" at 0.645, 0.222 left textcolor linetype 6
 set label "cycloid" at 0.636, 0.257 right textcolor linetype 3
 set label "exact" at 0.598, 0.245 right textcolor linetype 1
-set label "Euler" at 0.593, 0.2235 left textcolor linetype 2
+set label "Euler" at 0.5905, 0.2245 left textcolor linetype 2
 plot file using "y":(of(0)) with lines linetype 6, \
      file using "y":(of(1)) with lines linetype 3, \
      file using "y":(of(3)) with lines linetype 1, \

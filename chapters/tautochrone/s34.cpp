@@ -1,9 +1,13 @@
 #include "edition/section.hpp"
+#include "exact/ode.hpp"
 #include "exact/quadrature.hpp"
 #include "tautochrone/cheeks.hpp"
+#include "tautochrone/curve.hpp"
 #include "tautochrone/euler.hpp"
 #include "tautochrone/member.hpp"
 #include "tautochrone/series.hpp"
+#include "tautochrone/swing.hpp"
+#include "tautochrone/thread.hpp"
 
 SECTION(tautochrone, 34, "The cheek by points")
 
@@ -137,6 +141,120 @@ The cheek for $k = 0$, for $\tfrac1{10}a$ and for $\tfrac3{10}a$, each up to the
 Dashed, the cheek of the highest exact tautochrone for $\tfrac3{10}a$: of so large a body Euler's is no
 longer near.
 :::
+*/
+
+/*!
+### Three bobs
+
+Three equal bodies, all with the radius of gyration $k = {{body}}\,a$, are let go together at
+{{wide|deg0}}: one between Huygens's cheeks, one between Euler's, one between those of the highest exact
+tautochrone. The exact one swings like a clock that never varies, $\sqrt x$ as a cosine of the time. The
+other two are followed from rest by steps of the equation of motion ({{eq tautochrone.17 3}}); whole
+swings, there and back, are left out of the time first.
+*/
+
+const auto body = real("body", 0.3, none, closed(0.02, 0.9), "k/a of the three bodies");
+const auto wide = angle("wide", 30_deg, closed(1_deg, 80_deg), "the angle at which they are let go");
+const auto swings = real("swings", 78, none, closed(0, 1e5), "time since then, in swings of the exact one");
+
+double angle_after(Cheeks cheeks,
+                   double time)  // since it was let go, a = 1, Euler's clock; the right side is positive
+{
+  const double T = swing_time(cheeks, body, wide), h = std::fmod(time, 2 * T) / 2000;
+  const auto change = [cheeks](double at, double speed) {
+    const auto place_ = on_cheeks<double>(cheeks, body, at, at);
+    return place_.r * place_.sin * (place_.shortening * speed * speed - 0.5)
+           / (body * body + place_.r * place_.r);
+  };
+  double at = wide, speed = 0;
+  for(int i = 0; i < 2000; ++i)  // Runge's and Kutta's steps
+  {
+    const double one = change(at, speed), two = change(at + h / 2 * speed, speed + h / 2 * one),
+                 three = change(at + h / 2 * (speed + h / 2 * one), speed + h / 2 * two),
+                 four = change(at + h * (speed + h / 2 * two), speed + h * three);
+    at += h * (speed + h / 6 * (one + two + three));
+    speed += h / 6 * (one + 2 * two + 2 * three + four);
+  }
+  return at;
+}
+
+double exact_angle_after(double count)  // the same after so many swings of the exact one
+{
+  const double phase = std::cos(std::numbers::pi * std::fmod(count, 2));
+  const double x = tautochrone::at(Member::highest, body, wide).x * phase * phase;
+  double lo = 0, hi = wide;
+  for(int i = 0; i < 60; ++i)
+    (tautochrone::at(Member::highest, body, (lo + hi) / 2).x < x ? lo : hi) = (lo + hi) / 2;
+  return std::copysign(hi, phase);
+}
+
+struct Hung  ///< where a bob is, and its thread leaves the cheek, a = 1
+{
+  double y, down, q, p;
+};
+
+Hung hung(int which, double at)  // 0 Huygens's, 1 Euler's, 2 exact
+{
+  const double size = std::abs(at), side = at < 0 ? -1 : 1, used = which == 0 ? 0 : double(body);
+  if(which < 2)
+    return {side * euler_y<double>(1, used, size), 1 - euler_x<double>(1, used, size),
+            side * euler_q<double>(1, used, size), euler_p<double>(1, used, size)};
+  if(size < 1e-9)
+    return {at, 1, 0, 0};
+  const Drawn place_ =
+      drawn(Member::highest, body, {std::min(size, end(Member::highest, body).phi * (1 - 1e-12))})[0];
+  return {side * place_.y, 1 - place_.at.x, side * place_.q, place_.p};
+}
+
+TELL
+{
+  require(wide < 0.95 * largest_amplitude(Cheeks::euler_k4, body) && wide < end(Member::highest, body).phi,
+          "wide", "less than the ends of the exact curve and, by a twentieth, of Euler's");
+  const double time = swings * small_swing(body);
+  auto& rows = table("bobs", "The three bobs after so many swings of the exact one, in parts of a",
+                     {{"bob", "between the cheeks of"},
+                      {"angle", "angle", degrees, 6},
+                      {"y", "to the right"},
+                      {"down", "below A"},
+                      {"q", "M to the right"},
+                      {"p", "M below A"}});
+  const double angles[]{angle_after(Cheeks::cycloids, time), angle_after(Cheeks::euler_k4, time),
+                        exact_angle_after(swings)};
+  const char* const names[]{"Huygens", "Euler", "the exact curve"};
+  for(int i = 0; i < 3; ++i)
+  {
+    const Hung at = hung(i, angles[i]);
+    rows.row({names[i], angles[i], at.y, at.down, at.q, at.p});
+  }
+}
+
+TELL
+{
+  curve("arcs", {"kind", "y", "down", "q", "p"}, [](Curve& out) {
+    for(int which = 0; which < 3; ++which)
+    {
+      for(int i = -40; i <= 40; ++i)
+      {
+        const Hung at = hung(which, wide * i / 40);
+        out.put({double(which), at.y, at.down, at.q, at.p});
+      }
+      out.block();
+    }
+  });
+}
+
+/*!
+{{table bobs}}
+
+::: figure tautochrone-34-bobs
+alt: Between two short cheeks, which hang from A, three threads go down to three bobs. The exact one is
+at the right end of its arc, Euler's a little way from the right end of his, and Huygens's near the
+lowest place.
+
+The three bobs after {{swings}} swings of the exact one (blue), which is just turning back. Euler's
+(vermilion) is late by an eighth of a swing, Huygens's (green) by almost half a one: it is near the
+lowest place. The three arcs are hardly to be told apart.
+:::
 
 ## Checks
 */
@@ -264,6 +382,104 @@ CHECK_THAT("in the figure Euler's cheeks are (1) and (6), and the exact one has 
     }
     CHECK(length == within(1 - end(Member::highest, 0.3).r, 1e-3, "chords for arcs"));
   }
+}
+
+/*!
+The bobs are followed in fifty digits, as two weights each ({{sec tautochrone.14}}), and the exact one by
+its height.
+*/
+
+CHECK_THAT("the three bobs are where the motion of two weights, and the cosine of the exact one, have them")
+{
+  for(const Told& now :
+      told_at("", "swings=10.3 body=0.1 wide=50", "swings=77.5 body=0.5 wide=20", "swings=0"))
+  {
+    const auto rows = now.rows("bobs");
+    const Fifty ratio = body.fifty(), kk = ratio * ratio, T_0 = exact::pi() * sqrt(2 * (1 + kk));
+    for(std::size_t i{0}; i < 3; ++i)
+    {
+      Fifty to = 0;
+      if(i < 2)
+      {
+        const auto r = truncated(i == 0 ? 0 : 2, ratio);
+        const Fifty twice = 2 * T_0 * (1 + excess(r, ratio, wide.fifty())), time = swings.fifty() * T_0;
+        const auto motion = [&](const Fifty&, const exact::State& y) -> exact::State {
+          return {y[1], accelerations(r, ratio, y[1] * y[1], y[0]).turning / 2};
+        };
+        const Fifty rest = time - floor(time / twice) * twice;
+        to =
+            rest > 0 ? exact::solve(motion, 0, {wide.fifty(), 0}, rest, Fifty("1e-16")).y[0] : wide.fifty();
+      }
+      else
+      {
+        const auto height = [&](const Fifty& x) -> Fifty {
+          const Fifty r = highest(ratio, x);
+          return (1 + kk) / 2 * pow(r * sin(x), 2) / (kk + r * r);
+        };
+        const Fifty phase = cos(exact::pi() * swings.fifty()), c = height(wide.fifty());
+        to = exact_angle_after(swings);
+        const Fifty size = abs(to);
+        if(size > Fifty("1e-6") && size < wide.fifty() * Fifty("0.999999"))
+          to -= (height(size) - c * phase * phase) / (highest(ratio, size) * sin(to));
+        else
+          to = size > Fifty("1e-6") ? wide.fifty() * (phase < 0 ? -1 : 1) : Fifty(0);
+      }
+      CHECK(rows[i].words("bob") == (i == 0 ? "Huygens" : i == 1 ? "Euler" : "the exact curve"));
+      CHECK(rows[i].value("angle", degrees) == within(to, 2e-9, "2000 steps, and the roots of heights"));
+      const Fifty size = abs(to), side = to < 0 ? -1 : 1, used = i == 0 ? Fifty(0) : ratio;
+      if(i < 2)
+      {
+        CHECK(rows[i].value("y") == within(side * euler_y<Fifty>(1, used, size), 4e-9, "the angle's"));
+        CHECK(rows[i].value("down") == within(1 - euler_x<Fifty>(1, used, size), 4e-9, "the angle's"));
+        CHECK(rows[i].value("q") == within(side * euler_q<Fifty>(1, used, size), 4e-9, "the angle's"));
+        CHECK(rows[i].value("p") == within(euler_p<Fifty>(1, used, size), 4e-9, "the angle's"));
+        continue;
+      }
+      const Fifty r = size > 0 ? highest(ratio, size) : Fifty(1);
+      const Fifty x = (1 + kk) / 2 * pow(r * sin(size), 2) / (kk + r * r);
+      CHECK(rows[i].value("down") == within(1 - x, 4e-9, "the angle's"));
+      CHECK(rows[i].value("p") == within(1 - x - r * cos(size), 4e-9, "M is MG above G"));
+      Fifty y = 0;  // Simpson's rule
+      std::vector<Fifty> angles;
+      for(int j = 1; j <= 64; ++j)
+        angles.push_back(size * j / 64);
+      if(size > 0)
+      {
+        const auto radii = highest(ratio, angles);
+        y = 1;
+        for(std::size_t j{0}; j < 64; ++j)
+          y += (j == 63 ? 1 : j % 2 == 0 ? 4 : 2) * radii[j] * cos(angles[j]);
+      }
+      CHECK(rows[i].value("y") == within(side * y * size / 192, 1e-6, "the fourth power of a strip"));
+      CHECK(rows[i].value("q") == within(side * (y * size / 192 - r * sin(size)), 1e-6, "the same"));
+    }
+  }
+}
+
+CHECK_THAT("Euler's bob is late by an eighth of a swing after 78, Huygens's by almost half of one")
+{
+  CHECK(78 * excess(Cheeks::euler_k4, 0.3, 30_deg) == within(0.125, 0.01, "an eighth"));
+  CHECK(78 * excess(Cheeks::cycloids, 0.3, 30_deg) == between(0.45, 0.5, "almost half"));
+}
+
+CHECK_THAT("each arc of that figure is led by its cheek: G is at the end of what the thread leaves free")
+{
+  for(const Told& now : told_at("", "body=0.1 wide=60"))
+    for(const auto& point : now.points("arcs", 13))
+    {
+      const Fifty y = point.at("y"), down = point.at("down"), q = point.at("q"), p = point.at("p");
+      const int which = int(point.at("kind"));
+      const Fifty size = abs(atan2(y - q, down - p)), side = y < 0 ? -1 : 1;
+      const Fifty free = which < 2 ? euler_r<Fifty>(1, which == 0 ? Fifty(0) : body.fifty(), size)
+                         : size > Fifty("1e-9") ? highest(body.fifty(), size)
+                                                : Fifty(1);
+      CHECK(point.value("kind") == between(0, 2, "three"));
+      CHECK(size == between(0, wide.fifty() + Fifty("1e-12"), "within the swing"));
+      CHECK(point.value("y") == within(q + side * free * sin(size), 1e-12, "the angle's rounding"));
+      CHECK(point.value("down") == within(p + free * cos(size), 1e-12, "the angle's rounding"));
+      CHECK(point.value("q") == within(y - side * free * sin(size), 1e-12, "the angle's rounding"));
+      CHECK(point.value("p") == within(down - free * cos(size), 1e-12, "the angle's rounding"));
+    }
 }
 
 /*!
