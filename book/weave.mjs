@@ -242,7 +242,7 @@ book.figure = (name, alt, caption, page) => {
 
 /** A scene that the section declares: its first frame, and what starts it where the page runs itself. */
 book.scene = (name, alt, caption, page) => {
-  const declared = page.section?.told.scenes?.find((s) => s.name === name);
+  const declared = page.section?.told.scenes.find((s) => s.name === name);
   if (!declared) throw new Error(`no scene is told by the name of ::: scene ${name}`);
   page.drawings = (page.drawings ?? 0) + 1;
   const id = `fig-${page.drawings}`;

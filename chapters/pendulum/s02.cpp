@@ -1,6 +1,7 @@
 #include "edition/section.hpp"
 #include "exact/quadrature.hpp"
 #include "pendulum/plate.hpp"
+#include "pendulum/scene.hpp"
 #include "pendulum/series.hpp"
 #include "swing/oracle.hpp"
 #include "swing/time.hpp"
@@ -94,6 +95,11 @@ TELL
   });
 }
 
+TELL
+{
+  pendulum::scene_of_swing("swing", {swing_.zeta, swing_.eta}, std::sqrt(b) / std::sqrt(2 * g));
+}
+
 /*!
 With each half of the swing cut into {{n}} parts the relative error of $t$ is {{error|e1}}.
 
@@ -105,6 +111,12 @@ and AG is marked ζ. From G a short arrow leads straight down to H.
 The first figure of Euler's plate, drawn after the text. $A$ is the axis seen end on, $AB$ the position of
 rest, $G$ the centre of gravity at the greatest excursion ζ, and $GH$ the vertical in which gravity acts
 ({{sec pendulum.03}}). The time from $G$ to $B$ is $t$; that from $G$ to the end of the dashed line is $T$.
+:::
+
+::: scene swing
+alt: A pendulum hangs from its axis, drawn aside by the amplitude; a grey arc marks the way of its bob.
+
+The same pendulum moving, in its true time: from $G$ through $B$ to the other side, and back.
 :::
 
 ## Speed against error
@@ -157,6 +169,28 @@ CHECK_THAT("the time from side to side is twice the time from AG to AB")
     CHECK(time_between(90_deg, 180_deg, zeta, 16) == within_ulps(T / 2, 4, "the same in reverse"));
     const Fifty by_mean = exact::pi() * ratio_by_mean(exact::pi() - Fifty(zeta));
     CHECK(T == within(by_mean, 1e-38, "the quadrature's forty digits"));
+  }
+}
+
+CHECK_THAT("the scene shows the motion itself, in its true time")
+{
+  for(const Told& now : told_at("", "zeta=150 b=2", "zeta=1e-6"))
+  {
+    const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
+    using Judge = swing::oracle::Motion;
+    const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
+    const Fifty unit = sqrt(Fifty(b)) / sqrt(2 * Fifty(g));
+    const double slack = 1e-15 * static_cast<double>(4 * judge.quarter());
+    const char* const why = "the time is rounded three times, and no pendulum is faster than 2";
+    for(const auto& frame : now.points("swing", 9))
+    {
+      CHECK(frame.value("t")
+            == between(0, 4.0001 * static_cast<double>(unit * judge.quarter()), "one period"));
+      const Fifty phi = judge.angle(Fifty(frame.at("t")) / unit + judge.quarter());
+      CHECK(frame.value("phi") == within(phi, slack, why));
+      CHECK(frame.value("x") == within(sin(phi), slack, why));
+      CHECK(frame.value("y") == within(-cos(phi), slack, why));
+    }
   }
 }
 

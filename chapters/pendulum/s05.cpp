@@ -4,6 +4,7 @@
 #include "pendulum/body.hpp"
 #include "pendulum/equation.hpp"
 #include "pendulum/plate.hpp"
+#include "pendulum/scene.hpp"
 #include "pendulum/steps.hpp"
 #include "swing/motion.hpp"
 #include "swing/oracle.hpp"
@@ -140,6 +141,11 @@ TELL
   });
 }
 
+TELL
+{
+  pendulum::scene_of_swing("swing", {swing_.zeta, swing_.eta}, 1 / per_second());
+}
+
 /*!
 One second after it left $AB$ the rod has turned at {{zeta|deg0}}, passed $AB$ on its way back, and stands at
 {{phi|deg1}}.
@@ -159,6 +165,12 @@ and whips through the lowest point, alternately up and down.
 
 Four motions of one pendulum that leaves $AB$ with different speeds. The narrow swing is nearly a sine; the
 nearer the turning point is to the top, the longer the pendulum stays there, with almost no acceleration.
+:::
+
+::: scene swing
+alt: A pendulum hangs from its axis, drawn aside by the amplitude; a grey arc marks the way of its bob.
+
+The motion of the rod in its true time, let go at the turning point. Bring ζ near 180° and it lingers there.
 :::
 
 ## Speed against error
@@ -204,6 +216,28 @@ CHECK_THAT("the equation holds for a body element by element, and 2g is its cons
                     "a dozen roundings of numbers up to 7"));
   }
   CHECK(acceleration(90_deg, 1, 0.75, 0, 4.9) * 0.75 / 2 == within_ulps(-4.9, 2, "three roundings"));
+}
+
+CHECK_THAT("the scene shows the motion itself, in its true time")
+{
+  for(const Told& now : told_at("", "zeta=150 a=0.25", "eta=1e-6"))
+  {
+    const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
+    using Judge = swing::oracle::Motion;
+    const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
+    const Fifty unit = sqrt(pendulum::equivalent_length(Fifty(a), Fifty(k)) / (2 * Fifty(g)));
+    const double slack = 1e-15 * static_cast<double>(4 * judge.quarter());
+    const char* const why = "the time is rounded three times, and no pendulum is faster than 2";
+    for(const auto& frame : now.points("swing", 9))
+    {
+      CHECK(frame.value("t")
+            == between(0, 4.0001 * static_cast<double>(unit * judge.quarter()), "one period"));
+      const Fifty phi = judge.angle(Fifty(frame.at("t")) / unit + judge.quarter());
+      CHECK(frame.value("phi") == within(phi, slack, why));
+      CHECK(frame.value("x") == within(sin(phi), slack, why));
+      CHECK(frame.value("y") == within(-cos(phi), slack, why));
+    }
+  }
 }
 
 CHECK_THAT("the exact motion has the acceleration (2)")

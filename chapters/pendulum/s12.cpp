@@ -2,6 +2,7 @@
 
 #include "edition/section.hpp"
 #include "exact/series.hpp"
+#include "pendulum/scene.hpp"
 #include "pendulum/series.hpp"
 #include "pendulum/tail.hpp"
 #include "swing/oracle.hpp"
@@ -121,6 +122,11 @@ TELL
   });
 }
 
+TELL
+{
+  pendulum::scene_of_swing("swing", {swing_.zeta, swing_.eta}, 1 / std::numbers::pi);  // Θ is a second
+}
+
 /*!
 At 175° it takes {{needed}} terms of his series to have the time to the hundred-thousandth part, after one
 transformation {{needed_landen}}, and by the mean {{steps}} steps. So at 5° from the top the answer to his
@@ -133,6 +139,12 @@ terms at 1 degree, the series after one step to 200; the mean needs four steps.
 
 What it takes to have $T$ to the hundred-thousandth part. Half as far from the top, Euler's series {{eq 1}}
 needs four times as many terms, Landen's {{eq A}} twice as many; the mean hardly notices.
+:::
+
+::: scene swing
+alt: A pendulum hangs from its axis, drawn aside by the amplitude; a grey arc marks the way of its bob.
+
+How long it lasts, to be seen: a pendulum whose smallest swings take a second.
 :::
 
 ## Speed against error
@@ -181,6 +193,28 @@ CHECK_THAT("the series after one step gives the time")
     CHECK(series_after_landen(std::sin(eta / 2), 400)
           == within_ulps(ratio_by_mean(Fifty(eta)), 8,
                          "s, and the many small terms near the top, are rounded"));
+}
+
+CHECK_THAT("the scene shows the motion itself, in its true time")
+{
+  for(const Told& now : told_at("", "eta=60", "eta=1e-6"))
+  {
+    const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
+    using Judge = swing::oracle::Motion;
+    const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
+    const Fifty unit = 1 / exact::pi();
+    const double slack = 1e-15 * static_cast<double>(4 * judge.quarter());
+    const char* const why = "the time is rounded three times, and no pendulum is faster than 2";
+    for(const auto& frame : now.points("swing", 9))
+    {
+      CHECK(frame.value("t")
+            == between(0, 4.0001 * static_cast<double>(unit * judge.quarter()), "one period"));
+      const Fifty phi = judge.angle(Fifty(frame.at("t")) / unit + judge.quarter());
+      CHECK(frame.value("phi") == within(phi, slack, why));
+      CHECK(frame.value("x") == within(sin(phi), slack, why));
+      CHECK(frame.value("y") == within(-cos(phi), slack, why));
+    }
+  }
 }
 
 CHECK_THAT("the counted terms are enough, and one fewer is not")

@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "pendulum/scene.hpp"
 #include "pendulum/steps.hpp"
 #include "pendulum/three_members.hpp"
 #include "swing/oracle.hpp"
@@ -78,6 +79,11 @@ TELL
   });
 }
 
+TELL
+{
+  pendulum::scene_of_swing("swing", {swing_.zeta, swing_.eta}, Theta / std::numbers::pi);
+}
+
 /*!
 A pendulum that beats seconds takes {{T|6}} s through 350°. At half of Euler's time, where it should hang
 straight down, it is {{half_way|deg0}} up on the other side.
@@ -89,6 +95,12 @@ swing is over. When Euler's time of 4,52 seconds ends it has come down again and
 
 A seconds pendulum, let go 5° from the top. Its swing is over after {{T|f2}} s; when Euler's time ends, it has
 come down again and passed the lowest point.
+:::
+
+::: scene swing
+alt: A pendulum hangs from its axis, drawn aside by the amplitude; a grey arc marks the way of its bob.
+
+The same pendulum in its true time, to be held against Euler’s four and a half seconds from side to side.
 :::
 
 ## Speed against error
@@ -115,6 +127,28 @@ CHECK_THAT(
 {
   CHECK(after(3.82675 + 0.69249 + 0.00099, 5_deg)
         == within(0, 3.5e-5, "three half units of the fifth decimal and what is left out, at the speed 2"));
+}
+
+CHECK_THAT("the scene shows the motion itself, in its true time")
+{
+  for(const Told& now : told_at("", "zeta=120 Theta=2", "eta=0.01"))
+  {
+    const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
+    using Judge = swing::oracle::Motion;
+    const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
+    const Fifty unit = Fifty(Theta) / exact::pi();
+    const double slack = 1e-15 * static_cast<double>(4 * judge.quarter());
+    const char* const why = "the time is rounded three times, and no pendulum is faster than 2";
+    for(const auto& frame : now.points("swing", 9))
+    {
+      CHECK(frame.value("t")
+            == between(0, 4.0001 * static_cast<double>(unit * judge.quarter()), "one period"));
+      const Fifty phi = judge.angle(Fifty(frame.at("t")) / unit + judge.quarter());
+      CHECK(frame.value("phi") == within(phi, slack, why));
+      CHECK(frame.value("x") == within(sin(phi), slack, why));
+      CHECK(frame.value("y") == within(-cos(phi), slack, why));
+    }
+  }
 }
 
 const Erratum the_swing{"§33, T for 350°",

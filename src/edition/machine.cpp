@@ -85,6 +85,30 @@ ordered_json columns_of(const Said& said, const Table& t)
   return list;
 }
 
+ordered_json any_coordinate(const Moving& coordinate)
+{
+  if(const auto* x = std::get_if<double>(&coordinate))
+    return *x;
+  return std::get<std::string>(coordinate);
+}
+
+ordered_json bodies_of(const ToldScene& s)
+{
+  auto list = ordered_json::array();
+  for(const Body& b : s.bodies)
+  {
+    ordered_json body{{"kind", b.kind}, {"at", ordered_json::array()}, {"colour", b.colour}};
+    for(const Spot& spot : b.at)
+      body["at"].push_back({any_coordinate(spot.x), any_coordinate(spot.y)});
+    if(b.radius > 0)
+      body["radius"] = b.radius;
+    if(b.kind == "wheel")
+      body["turn"] = any_coordinate(b.turn);
+    list.push_back(std::move(body));
+  }
+  return list;
+}
+
 ordered_json methods_of(const Said& said, const ToldRace& r)
 {
   auto list = ordered_json::array();
@@ -195,6 +219,9 @@ std::string as_json(const Section& s)
     j["curves"].push_back({{"name", c.name}, {"columns", c.columns}});
     excuse(j["curves"].back(), s.said, c.name);
   }
+  j["scenes"] = ordered_json::array();
+  for(const ToldScene& scene : s.said.scenes)
+    j["scenes"].push_back({{"name", scene.name}, {"bodies", bodies_of(scene)}});
   for(const ToldRace& r : s.said.races)
     j["races"].push_back({{"name", r.name},
                           {"quantity", r.quantity},

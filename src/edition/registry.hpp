@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "edition/scene.hpp"
 #include "edition/section.hpp"
 
 namespace edition
@@ -71,6 +72,13 @@ struct ToldCurve
   std::vector<std::vector<double>> points;
 };
 
+/// A scene: the bodies that are drawn by the curve of its name.
+struct ToldScene
+{
+  std::string name;
+  std::vector<Body> bodies;
+};
+
 /// One way to a number, with its error and, where the race was run, its time.
 struct ToldMethod
 {
@@ -99,6 +107,7 @@ struct Said
   std::vector<ToldValue> values;
   std::vector<std::unique_ptr<Table>> tables;
   std::vector<ToldCurve> curves;
+  std::vector<ToldScene> scenes;
   std::vector<ToldRace> races;
   std::vector<std::pair<std::string, std::string>> illustrations;  ///< What no claim looks at, and why.
   bool has_data = false;                                           ///< Whether the curves were drawn.

@@ -118,6 +118,7 @@ const told = {
     },
   ],
   curves: [{ name: 'line', columns: ['x', 'y'] }],
+  scenes: [],
   races: [
     {
       name: 'half',
