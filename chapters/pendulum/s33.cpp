@@ -81,7 +81,7 @@ TELL
 
 TELL
 {
-  pendulum::scene_of_swing("swing", {swing_.zeta, swing_.eta}, Theta / std::numbers::pi);
+  pendulum::scene_of_swing("moving", {swing_.zeta, swing_.eta}, Theta / std::numbers::pi);
 }
 
 /*!
@@ -97,7 +97,7 @@ A seconds pendulum, let go 5° from the top. Its swing is over after {{T|f2}} s;
 come down again and passed the lowest point.
 :::
 
-::: scene swing
+::: scene moving
 alt: A pendulum hangs from its axis, drawn aside by the amplitude; a grey arc marks the way of its bob.
 
 The same pendulum in its true time, to be held against Euler’s four and a half seconds from side to side.
@@ -139,7 +139,7 @@ CHECK_THAT("the scene shows the motion itself, in its true time")
     const Fifty unit = Fifty(Theta) / exact::pi();
     const double slack = 1e-15 * static_cast<double>(4 * judge.quarter());
     const char* const why = "the time is rounded three times, and no pendulum is faster than 2";
-    for(const auto& frame : now.points("swing", 9))
+    for(const auto& frame : now.points("moving", 9))
     {
       CHECK(frame.value("t")
             == between(0, 4.0001 * static_cast<double>(unit * judge.quarter()), "one period"));
