@@ -44,7 +44,7 @@ The sums are taken about $G$ at once, so that nothing is lost where the mass is 
 */
 
 const auto a = real("a", 1, feet, scale, "radius of the ball");
-const auto q = real("q", 0.2, none, open(0, 1), "weight of both pellets, as a part of the whole");
+const auto q = real("q", 0.2, none, open(0., 1.), "weight of both pellets, as a part of the whole");
 const auto d = real("d", 0.5, feet, scale, "depth of their middle below the centre");
 const auto shift = real("shift", 0, feet, closed(0, 1e100), "how far the one is above it, the other below");
 const auto side = real("side", 0.25, feet, closed(0, 1e100), "how far they are to the two sides");
