@@ -1,13 +1,12 @@
 load "figures/style.gp"
 file = tsv("balance-10.angles")
+stats file using (y1 = column("omega"), y2 = column("eta"), y3 = column("theta")) nooutput  # the last ones
 stats file using "t":"eta" nooutput
 last = STATS_max_x
 set xrange [0:last]
 set xlabel "time (s)"
 set ylabel "degrees" offset 0.5, 0
 set rmargin 9
-end(c) = system(sprintf("awk -F'\\t' 'END {print $%d}' '%s'", c, file)) + 0
-y1 = end(2); y2 = end(3); y3 = end(4)
 # labels at the curves' ends, at least 9 units apart
 span = (STATS_max_y - STATS_min_y) * 0.07
 if (abs(y2 - y1) < span) y2 = y1 + (y2 < y1 ? -span : span)
