@@ -19,13 +19,13 @@ greater inequality into the motion.
 What is known of the resistance he reports in three steps. If it were proportional to the velocity, the
 cycloid would serve as well as in empty space: Newton proved it for the simple pendulum. But the resistance
 of the air does not follow the velocity, it follows its square. There the use of the cycloid ends, and another
-curve has to be put in its place; Euler himself was the first to find it, and gave it in the *Commentarii* of
+curve has to be put in its place; he was, he says, the first to find it, and gave it in the *Commentarii* of
 the Petersburg academy. (The number of the volume is missing in our copy.) And that curve too, like the
 cycloid, demands a simple pendulum; for a compound one it is of no use.
 
-He writes no formula and no number. With $z$ for the arc from the lowest point, $\omega$ for $\sqrt{g/a}$ and
-a bob that starts at rest from the arc $A$, the first case is $\ddot z + 2\gamma\omega\dot z + \omega^2z = 0$,
-and every swing takes
+He writes no formula and no number. With $z$ for the arc from the lowest point, $\omega$ for $\sqrt{g/a}$ with
+today's $g$, and a bob that starts at rest from the arc $A$, the first case is
+$\ddot z + 2\gamma\omega\dot z + \omega^2z = 0$, and every swing takes
 
 $$ T = \frac{\pi}{\omega\sqrt{1 - \gamma^2}}, \tag{A} $$
 
@@ -101,7 +101,7 @@ struct Swing  ///< with a resistance as the square; all for one swing from the r
   double lost = 0;     ///< the part of the arc that is missing on the other side
 };
 
-Swing resisted(double b)  // b = βA ≤ 1
+Swing resisted(double b)  // (B) and all the terms that follow; b = βA ≤ 1
 {
   static const Powers of = powers(170);
   double yy = 0, term = 2;  // yy/bb, by the series of its exponential
@@ -122,6 +122,10 @@ Swing resisted(double b)  // b = βA ≤ 1
   }
   return swing;
 }
+
+/*!
+What the section asks for, and the small formulae:
+*/
 
 const auto a = real("a", 0.994, metres, scale, "length of the pendulum, down to the centre of the ball");
 const auto R = real("R", 0.05, metres, scale, "radius of the ball");
