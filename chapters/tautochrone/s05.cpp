@@ -72,10 +72,10 @@ const auto phi0 = angle("phi0", 30_deg, closed(1e-60_deg, 85_deg), "how far the 
 
 using Polynomial = Mechanism::Polynomial;  // in h
 
-Polynomial radius(const Fifty& beta_, const Fifty& gamma__)  // (B)
+Polynomial radius(const Fifty& beta_, const Fifty& bend)  // (B)
 {
   const Polynomial h(Fifty(1), 1);
-  return Polynomial(1) - Polynomial(2 * beta_) * h + Polynomial(gamma__) * h * h;
+  return Polynomial(1) - Polynomial(2 * beta_) * h + Polynomial(bend) * h * h;
 }
 
 Mechanism led(const Fifty& ratio, const Polynomial& r)
