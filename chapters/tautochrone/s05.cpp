@@ -78,7 +78,7 @@ Polynomial radius(const Fifty& beta_, const Fifty& bend)  // (B)
   return Polynomial(1) - Polynomial(2 * beta_) * h + Polynomial(bend) * h * h;
 }
 
-Mechanism led(const Fifty& ratio, const Polynomial& r)
+Mechanism led(const Fifty& ratio, const Polynomial& r)  // (A), by the two polynomials under its root
 {
   return {Polynomial(ratio * ratio) + r * r, r};
 }

@@ -84,7 +84,7 @@ struct Corner  ///< of the polygon
   double free;   ///< rᵢ, (A)
 };
 
-std::vector<Corner> polygon(double ratio, double reach, int sides)
+std::vector<Corner> polygon(double ratio, double reach, int sides)  // (A)
 {
   std::vector<Corner> all = {{{0, 0}, 0, 1}};
   for(int i = 1; i <= sides; ++i)

@@ -64,9 +64,19 @@ const auto error =
 const auto phi0 =
     angle("phi0", 1_deg, closed(1e-60_deg, 20_deg), "how wide the swings of the experiment are");
 const auto phi =
-    angle("phi", 20_deg, closed(0_deg, 89_deg), "SMG, of the pendulum between Huygens's cheeks");
+    angle("phi", 20_deg, closed(0_deg, 89_deg), "SMG, of the pendulum between Huygens's cheeks");  // (4)
 
-double CD_for(double k_)
+double wound()  // (2), s on Huygens's cheek
+{
+  return euler_s<double>(a, 0, phi);
+}
+
+double MG()  // (3), which there is a cos φ
+{
+  return a * std::cos(phi);
+}
+
+double CD_for(double k_)  // (1)
 {
   return k_ / a * k_;
 }
@@ -112,8 +122,8 @@ TELL
        "k from a time with this error and swings so wide");
   tell("amiss", amiss(error, phi0), percent, "by how much that is too great, (A)");
   tell("amiss_width", amiss(0, phi0), percent, "of this because the swings are not infinitely small");
-  tell("s", euler_s<double>(a, 0, phi), metres, "AM, (2), between Huygens's cheeks");
-  tell("MG", a * std::cos(phi), metres, "the rest, (3)");
+  tell("s", wound(), metres, "AM, (2), between Huygens's cheeks");
+  tell("MG", MG(), metres, "the rest, (3)");
 }
 
 TELL
