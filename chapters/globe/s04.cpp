@@ -32,8 +32,9 @@ whose $S$ is at rest. It rolls on if the plane can give what rolling needs. That
 backwards, and a pressure Π, both of which follow from the equations of {{sec globe.25}} by Φ and
 $w = d\Phi/dt$ alone; so
 
-$$ |F| \le \mu\Pi: \text{ it rolls}; \qquad F > \mu\Pi: \text{ it begins to scrape towards } O;
-   \qquad F < -\mu\Pi: \text{ towards } I. \tag{A} $$
+$$ \begin{aligned} |F| &\le \mu\Pi: &&\text{it rolls;}\\
+   F &> \mu\Pi: &&\text{it begins to scrape towards } O;\\
+   F &< -\mu\Pi: &&\text{it begins to scrape towards } I. \end{aligned} \tag{A} $$
 
 And two things are passed over. The plane cannot pull: when $2g + cww\cos\Phi$ becomes negative the ball
 leaves it, with or without friction. And where it does scrape, more pressure makes more friction, which may

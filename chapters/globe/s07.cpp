@@ -43,8 +43,10 @@ every Φ.
 
 Held at rest at the angle Φ and let go, the ball begins to turn with
 
-$$ \frac{dd\Phi}{dt^2} = -\frac{2gc\sin\Phi}{kk + cc\sin^2\Phi} \;\text{ (smooth)}, \qquad
-   -\frac{2gc\sin\Phi}{kk + aa + cc - 2ac\cos\Phi} \;\text{ (rolling)}; \tag{B} $$
+$$ \frac{dd\Phi}{dt^2} = \begin{cases}
+   \displaystyle -\frac{2gc\sin\Phi}{kk + cc\sin^2\Phi} & \text{on a smooth plane,}\\[2ex]
+   \displaystyle -\frac{2gc\sin\Phi}{kk + aa + cc - 2ac\cos\Phi} & \text{when it rolls;}
+   \end{cases} \tag{B} $$
 
 rolling is the slower, $G$ being farther from $S$ than from the vertical through it, and needs
 $\lambda = c\sin\Phi\,y/(kk + yy)$.
