@@ -96,6 +96,7 @@ Lift_off<Real> lift_off(const Real& c, const Real& k, const Real& excess);
 /// @name Euler's Case III (§§21-22): fast turning, ζζkk = 4gcnn with n large
 /// 2n t√gc = Φ(k + cc/4k + k/2nn) − (cc/8k) sin 2Φ − (k/2nn) sin Φ, τ being t√2gc. Domain: k, n > 0.
 /// @{
+// [fast]
 /// τ by his formula, for any Φ.
 template <class Real>
 Real fast_time_by_euler(const Real& c, const Real& k, const Real& n, const Real& Phi)
@@ -119,6 +120,7 @@ Inequalities<Real> inequalities(const Real& c, const Real& k, const Real& n)
   const Real q = c * (c / k), m = k / (n * n), mean = k + q / 4 + m / 2;
   return {m / 2 / mean, q / 8 / mean};
 }
+// [fast]
 
 /// The Φ of a mean anomaly M, by Newton's method. Domain: e1 + 2 e2 < ½, else std::domain_error. Error in
 /// double: 4 ulps.
