@@ -33,8 +33,8 @@ change. It is because this point changes, he ends, that the interval $GZ$ is gre
 than $GH$.
 
 ::: margin
-$b = \kappa^2\ddot\varphi/(r\ddot\varphi + \dot r\dot\varphi)$, where today's κ is his $k$: the two
-accelerations of a body that rolls along its cheek.
+$b = k^2\ddot\varphi/(r\ddot\varphi + \dot r\dot\varphi)$: the two accelerations of a body that rolls
+along its cheek.
 :::
 
 It is smaller. In {{eq 2}} the product $ds\,d\varphi$ is positive whenever the thread winds itself up,

@@ -19,9 +19,10 @@ using namespace tautochrone;
 The formulae of {{sec tautochrone.33}}, integrated, give both coordinates of the cheek for any angle, so
 that it can be drawn by points; with that the paper ends. The abscissa $AP$ is
 
-$$ p = \tfrac12a\sin^2\varphi + \frac{kk\sin^2\varphi}{2a} - \frac{3kk}{2a} + \frac{3kk}{2a\cos^2\varphi} -
-\frac{15k^4}{2a^3{{entry cube_of_a}}\cos^4\varphi} + \frac{7k^4}{a^3\cos^6\varphi} + \frac{k^4}{2a^3}.
-  \tag{1} $$
+$$ \begin{aligned} p = \tfrac12a\sin^2\varphi &+ \frac{kk\sin^2\varphi}{2a} - \frac{3kk}{2a} +
+  \frac{3kk}{2a\cos^2\varphi} \\
+  &- \frac{15k^4}{2a^3{{entry cube_of_a}}\cos^4\varphi} + \frac{7k^4}{a^3\cos^6\varphi} +
+  \frac{k^4}{2a^3}. \end{aligned} \tag{1} $$
 
 For the ordinate one needs
 
@@ -40,12 +41,11 @@ $$ \int\frac{d\varphi}{\cos^8\varphi} = \frac{\sin\varphi}{7\cos^7\varphi} +
 
 and has
 
-$$ \begin{aligned} q &= \tfrac12a\varphi - \tfrac12a\sin\varphi\cos\varphi + \frac{kk\varphi}{2a} -
-  \frac{kk\sin\varphi\cos\varphi}{2a}
-  - \frac{kk\sin\varphi}{a\cos\varphi} + \frac{kk\sin\varphi}{a\cos^3\varphi} \\
-   &+ \frac{k^4\sin\varphi}{a^3\cos\varphi}\Bigl(\frac45 + \frac2{5\cos^2\varphi} -
-  \frac{36}{5\cos^4\varphi} + \frac6{\cos^6\varphi}\Bigr).
-  \end{aligned} \tag{6} $$
+$$ \begin{aligned} q = \tfrac12a\varphi &- \tfrac12a\sin\varphi\cos\varphi + \frac{kk\varphi}{2a} -
+  \frac{kk\sin\varphi\cos\varphi}{2a} \\
+  &- \frac{kk\sin\varphi}{a\cos\varphi} + \frac{kk\sin\varphi}{a\cos^3\varphi} \\
+  &+ \frac{k^4\sin\varphi}{a^3\cos\varphi}\Bigl(\frac45 + \frac2{5\cos^2\varphi} -
+  \frac{36}{5\cos^4\varphi} + \frac6{\cos^6\varphi}\Bigr). \end{aligned} \tag{6} $$
 
 Since both coordinates, $p$ and $q$, can be had from the given angle φ, which is also the amplitude of the
 arc $AM$, the curve that was sought, $AMB$, is constructed without difficulty.
