@@ -367,7 +367,7 @@ std::vector<Stretch> compare(const Measured& m, const std::vector<ToldRow>& rows
   std::vector<double> times;
   for(const auto& row : rows)
     times.push_back(double(Fifty(row.at("t", seconds)) / T));
-  const std::vector<Stretch> all = judged(m, times);
+  std::vector<Stretch> all = judged(m, times);
   const Judge judge{m.ball, m.g, m.mu};
   const auto near = [](const Fifty& expected, const Fifty& unit) {
     return within(expected, 1e-12 * double(unit + abs(expected)),
