@@ -100,14 +100,12 @@ TELL
 TELL
 {
   curve("turn", {"Phi_deg", "back", "smooth", "on"}, [](Curve& turn) {
+    const auto pressure = [](int n, int sign) {
+      const Fifty friction = sign * lambda.fifty();
+      return double(accelerations<Fifty>(ball(), g.fifty(), 2_deg * n, w.fifty(), friction).pressure);
+    };
     for(int n = 0; n <= 180; ++n)
-    {
-      std::array<double, 3> Pi{};
-      for(const int sign : {-1, 0, 1})
-        Pi.at(static_cast<std::size_t>(1 + sign)) = double(
-            accelerations<Fifty>(ball(), g.fifty(), 2_deg * n, w.fifty(), sign * lambda.fifty()).pressure);
-      turn.put({2. * n, Pi[0], Pi[1], Pi[2]});
-    }
+      turn.put({2. * n, pressure(n, -1), pressure(n, 0), pressure(n, 1)});
   });
 }
 

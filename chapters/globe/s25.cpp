@@ -201,7 +201,8 @@ CHECK_THAT("the equations of motion, followed from the lowest place, keep to (3)
     for(const Fifty& t : {Fifty("0.1"), Fifty("0.3")})
     {
       const auto there = exact::solve(motion, 0, {0, low}, t).y;
-      const Fifty Phi = there[0], ww = there[1] * there[1];
+      const Fifty& Phi = there[0];
+      const Fifty ww = there[1] * there[1];
       CHECK(ww == within_relative(square_by_3(ball, C, Phi), 1e-27, "the solver's bound"));
       const Fifty dx = (ball.a - ball.c * cos(Phi)) * there[1], dy = ball.c * sin(Phi) * there[1];
       CHECK(dx * dx + dy * dy + ball.k * ball.k * ww  // (A)

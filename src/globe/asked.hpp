@@ -35,7 +35,7 @@ struct Asked_energy
     if(zeta == 0)
       return energy_given(h.fifty(), from_top.fifty());
     edition::require(from_top == 0, "zeta", "0 where from_top is given");
-    const Energy<exact::Fifty> e = energy_of_velocity(c, kk, g, zeta.fifty());
+    Energy<exact::Fifty> e = energy_of_velocity(c, kk, g, zeta.fifty());
     edition::require(e.h >= 1e-100 && e.h <= 1e100, "zeta", "an h between 1e-100 and 1e100");
     return e;
   }
