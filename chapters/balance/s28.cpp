@@ -13,8 +13,8 @@ so lost the factors on which everything hangs. Nothing else can meet them but
 
 $$ \mathfrak A = 0, \qquad \mathfrak B = 0. \tag{1} $$
 
-So in this case, Euler concludes, both pans remain at rest for ever and take up no motion at all, though the
-beam goes on swinging beside them.
+So in this case, Euler concludes, both pans remain at rest for ever {{entry pans_at_rest}} and take up no
+motion at all, though the beam goes on swinging beside them.
 
 At the order of smallness at which he works that is not so. His equations keep the product $\eta\omega$, of
 the second order, but have dropped a term that is of the same order and does not vanish with η
@@ -124,3 +124,19 @@ CHECK_THAT("in the figure the pans are those of GSL's motion, and (A)")
       CHECK(point.value("second") == within(A, 1e-14, "phases rounded"));
     }
 }
+
+const Erratum pans_at_rest{
+    "§28, the greatest inclination of P while the beam swings once to and fro, in minutes",
+    {"none", 0},
+    {"18.6′", 18.65},
+    "the full equations, λ = 1, μ = 3, a/b = ½, ρ = ¼, m = ⅙",
+    [](double reading) {
+      State<> now = released(1. / 6, 0, 0);
+      double most = 0;
+      for(int k = 0; k < 630; ++k)
+      {
+        now = by_gsl({1, 9, 0.5, 0.25}, now, 0.01, 1e-12);
+        most = std::max(most, std::abs(now.at.eta));
+      }
+      return reading == within(most / 1_deg * 60, 0.05, "the digit given");
+    }};
