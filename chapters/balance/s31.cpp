@@ -289,18 +289,17 @@ CHECK_THAT("in Euler's example all passes over, later than (B) says, and by less
   CHECK(reach(25) < 1.02);
 }
 
-const Erratum in_the_other{
-    "§31, how far Q swings from 196 to 202 seconds after the start of the example, in parts of P's first swing",
-    {"not at all", 0},
-    {"1.021", 1.021},
-    "the full equations, ρ = ¼, P alone let go",
-    [](double reading) {
-      State<> now = by_gsl(of_35, released(1. / 6, 1. / 6, 0), 196, 1e-13);
-      double most = 0;
-      for(int k = 0; k < 600; ++k)
-      {
-        now = by_gsl(of_35, now, 0.01, 1e-13);
-        most = std::max(most, std::abs(now.at.theta) * 6);
-      }
-      return reading == within(most, 0.0005, "the digits given");
-    }};
+const Erratum in_the_other{"§31, Q's swing from 196 to 202 seconds in the example, in parts of P's first",
+                           {"not at all", 0},
+                           {"1.021", 1.021},
+                           "the full equations, ρ = ¼, P alone let go",
+                           [](double reading) {
+                             State<> now = by_gsl(of_35, released(1. / 6, 1. / 6, 0), 196, 1e-13);
+                             double most = 0;
+                             for(int k = 0; k < 600; ++k)
+                             {
+                               now = by_gsl(of_35, now, 0.01, 1e-13);
+                               most = std::max(most, std::abs(now.at.theta) * 6);
+                             }
+                             return reading == within(most, 0.0005, "the digits given");
+                           }};
