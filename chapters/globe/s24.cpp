@@ -18,8 +18,8 @@ assumed in {{sec globe.04}} for true rubbing, $\tfrac13${{entry limit}}, the bal
 
 The easiest way is to divide the third equation of {{sec globe.07}} by the first of {{sec globe.06}}. They are
 
-$$ \frac{P\,ddx}{2g\,dt^2} = -\lambda\Pi, \qquad
-   \frac{Pkk\,dd\Phi}{2g\,dt^2} = \lambda\Pi(a - c\cos\Phi) - \Pi c\sin\Phi, $$
+$$ \begin{aligned} \frac{P\,ddx}{2g\,dt^2} &= -\lambda\Pi, \\
+   \frac{Pkk\,dd\Phi}{2g\,dt^2} &= \lambda\Pi(a - c\cos\Phi) - \Pi c\sin\Phi, \end{aligned} $$
 
 and Π goes out with $P$ and $g$:
 

@@ -63,8 +63,8 @@ $$ h = \frac{y\,bb + 4c\sin^2\tfrac12\Phi\,D}{4c\,(cc+kk-ac\cos\Phi)}, \qquad bb
 
 where $C = c(2h-1)$. And with $S$ put into the equation the poles go: as $S + y = DQ/L$,
 
-$$ \lambda = \frac{c\sin\Phi\,L}Q, \qquad
-   Q = \frac{\Pi}{P}\,DD = DD - ccN\sin^2\Phi + 2c\cos\Phi\,(C+c\cos\Phi)D. \tag{C} $$
+$$ \begin{aligned} \lambda &= \frac{c\sin\Phi\,L}Q, \qquad Q = \frac{\Pi}{P}\,DD, \\
+   Q &= DD - ccN\sin^2\Phi + 2c\cos\Phi\,(C+c\cos\Phi)D. \end{aligned} \tag{C} $$
 
 ## The program
 

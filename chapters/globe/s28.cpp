@@ -36,8 +36,9 @@ the upper root has the square of $\sin\Phi$; here it has $\cos\Phi$ alone, and w
 $\sin^2\tfrac12\varphi = \varpi/(1+\sigma)$, where $\varpi = \sin^2\tfrac12\Phi$, there is nothing but linear
 factors of σ under the root. In Carlson's integrals
 
-$$ R_F(x,y,z) = \tfrac12\!\int_0^\infty\!\frac{d\sigma}{\sqrt{(\sigma+x)(\sigma+y)(\sigma+z)}}, \quad
-   R_J = \tfrac32\!\int_0^\infty\!\frac{d\sigma}{(\sigma+1)\sqrt{\ldots}} $$
+$$ \begin{aligned} R_F &= \tfrac12\!\int_0^\infty\!\frac{d\sigma}{\sqrt{(\sigma+x)(\sigma+y)(\sigma+z)}}, \\
+   R_J &= \tfrac32\!\int_0^\infty\!\frac{d\sigma}{(\sigma+1)\sqrt{(\sigma+x)(\sigma+y)(\sigma+z)}}
+   \end{aligned} $$
 
 the time is, for rocking and turning over alike,
 

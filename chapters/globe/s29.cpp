@@ -54,11 +54,11 @@ at the top as at the lowest place. The whole time, of a single swing or of a tur
 missing:
 
 $$ t\sqrt{2gc} \approx B\,l\,\frac{4B}{b\sqrt{|1-h|}} - 2\sqrt{ac}\operatorname{arsinh}\frac{2\sqrt{ac}}b,
-   \quad BB = (a+c)^2+kk, \tag{B} $$
+   \tag{B} $$
 
-for the quarter of an oscillation or half a turn. So the delay near the top has $B$ for its measure where on
-the smooth plane it was $k$: for a tenth of $|1-h|$ a swing, or a turn, takes $B\,l\,10$ more of
-$t\sqrt{2gc}$.
+with $BB = (a+c)^2+kk$, for the quarter of an oscillation or half a turn. So the delay near the top has $B$
+for its measure where on the smooth plane it was $k$: for a tenth of $|1-h|$ a swing, or a turn, takes
+$B\,l\,10$ more of $t\sqrt{2gc}$.
 
 ## The program
 
