@@ -974,6 +974,8 @@ CHECK_THAT("the trapping figure: the line is (E), the points lie by it to the ne
       const Fifty part = r < 1 ? Fifty(1) : Fifty(sqrt((1 - sqrt(1 - 1 / (k * k))) / 2));
       CHECK(point.value("Q") == within_relative(part, 1e-12, "k near 1 magnifies"));
     }
+    CHECK(trapping(transfer(weak).splitting, 4, 0).critical
+          == between(13_deg, 13.5_deg, "some thirteen degrees"));
     for(const auto& point : now.points("reached"))
     {
       const double r = point.at("r");
