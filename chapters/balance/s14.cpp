@@ -205,6 +205,15 @@ CHECK_THAT("where c is 10⁻³²⁰ f has no place in the doubles, but λ has; a
     CHECK(now.method("of_lambda", "√(2g/f)") == within(0, 0, "the length overflows"));
     CHECK(now.method("of_lambda", "with c scaled") == within_relative(right, 1e-15, "the same"));
   }
+  // nor need 2gMc or the inertia have one
+  for(const Told& now :
+      told_at("c=1e-149 g=1e-60 M=1e-100 a=1e-80 k=1e-90 L=1e-100", "a=1e100 L=1e100 M=1e-100"))
+  {
+    const auto [inertia, moment] = of_points(c.fifty());
+    const Fifty right = sqrt(2 * g.fifty() * moment / inertia);
+    CHECK(now.value("lambda", per_second) == within_relative(right, 1e-15, "roots taken one by one"));
+    CHECK(now.value("beam_time", seconds) == within_relative(exact::pi() / right, 1e-15, "the same"));
+  }
   for(const Told& now : told_at("c=0"))
   {
     CHECK(now.value("f", feet) == infinite("G lies in C"));
@@ -228,7 +237,8 @@ CHECK_THAT("above C the centre of gravity gives a negative f, and κ is the rate
 
 CHECK_THAT("(A): at the c told f is the length told, and greater on either side of it")
 {
-  for(const Told& now : told_at("", "a=0.3 k=5 L=3 M=0.1 c=-3", "L=1e-60 k=1e-9", "c=1e60 M=1e-30"))
+  for(const Told& now : told_at("", "a=0.3 k=5 L=3 M=0.1 c=-3", "L=1e-60 k=1e-9", "c=1e60 M=1e-30",
+                                "a=1e100 L=1e100 M=1e-100"))
   {
     const auto length = [](const Fifty& depth) {
       const auto [inertia, moment] = of_points(depth);

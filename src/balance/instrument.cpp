@@ -17,7 +17,9 @@ Quantities quantities_of(const Instrument& x)
   const double inertia = x.M * (x.kk + x.c * x.c) + 2 * x.L * x.a * x.a;
   // λ² may be too small for a double where λ is not
   const bool tiny = std::abs(x.c) < 0x1p-500;
-  const double scaled = std::sqrt(2 * x.g * x.M * (std::abs(x.c) * (tiny ? 0x1p500 : 1)) / inertia);
+  // the roots are taken one by one: 2gMc and the inertia may each be too great or too small where λ is not
+  const double scaled =
+      std::sqrt(2 * x.g * (std::abs(x.c) * (tiny ? 0x1p500 : 1))) * (std::sqrt(x.M) / std::sqrt(inertia));
   const double rate = scaled * (tiny ? 0x1p-250 : 1);
   const bool stands = x.c >= 0;
   const double mu = std::sqrt(b.mu2);
@@ -45,7 +47,7 @@ Balance<exact::Fifty> widened(const Instrument& x)
 Least least_f(const Instrument& x)
 {
   numbers_of(x);
-  const double c = std::sqrt(x.kk + 2 * x.L * x.a * x.a / x.M);
+  const double c = std::hypot(std::sqrt(x.kk), x.a * std::sqrt(2 * x.L / x.M));
   return {c, 2 * c};
 }
 
