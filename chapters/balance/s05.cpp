@@ -35,7 +35,7 @@ $$ u = \frac{R\,y' + R'y}{xy'+x'y}, \qquad v = \frac{R\,x' - R'x}{xy'+x'y}. \tag
 
 So the ends of the beam are found from the pans alone, without a root and without ambiguity, and with
 them all three angles. That $uu+vv$ comes out as $aa$ is the condition that the four coordinates have to
-satisfy. Only if $C$ lies in one line with both pans is the place of the beam not to be had from them.
+satisfy. Only if $C$ lies in one line with both pans do they not decide where the beam is.
 
 ## The program
 
@@ -84,6 +84,8 @@ TELL
   tell("eta_found", found.eta, degrees, "η", 9);
   tell("theta_found", found.theta, degrees, "ϑ", 9);
   at.x += slip;
+  require(std::abs(at.x * at.y1 + at.x1 * at.y) >= 0.01 * (a + b) * (a + b), "slip",
+          "such that C does not lie nearly in line with P, as misread, and Q");
   const End A = end_of_beam(at);
   tell("beam_found", std::hypot(A.u, A.v), feet, "half the beam by (B), x being misread", 9);
 }
@@ -168,6 +170,7 @@ CHECK_THAT("the beam found, also with x misread, reaches to where the two lines 
 CHECK_THAT("where C lies nearly in line with both pans the program refuses")
 {
   CHECK(refused_at("a=1 b=1 omega=0 eta=-80 theta=80"));
+  CHECK(refused_at("a=0.1 b=0.1 omega=0 eta=0 theta=0 slip=-0.2"));
   CHECK(!refused_at("a=1 b=1 omega=0 eta=10 theta=-10"));
 }
 
