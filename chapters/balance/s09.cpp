@@ -49,7 +49,8 @@ just what weights fixed to $A$ and $B$ would do ({{sec balance.14}}).
 ## The program
 
 Again the tensions are taken from the equations without tensions. Put into V they must give back the
-acceleration of the beam that they were computed with.
+acceleration of the beam that they were computed with. Of a light beam between heavy pans that is what the
+two great moments leave; so they are reckoned in fifty digits.
 */
 
 const auto a = real("a", 16. / 9, feet, closed(1e-2, 1e2), "CA = CB, half the beam");
@@ -71,33 +72,33 @@ const auto now_at = [] { return State<>{{omega, eta, theta}, {omega_rate, eta_ra
 
 struct Moments
 {
-  double weight, P, Q;  // (1), (2), (3)
+  Fifty weight, P, Q;  // (1), (2), (3)
 
-  double all() const { return weight + P + Q; }
+  Fifty all() const { return weight + P + Q; }
 };
 
 Moments moments(const Instrument& x, const State<>& now)
 {
-  const Tensions<> pull = tensions(numbers_of(x), now);
-  const auto& at = now.at;
-  return {-x.M * x.c * std::sin(at.omega),                      // (1)
-          -x.L * pull.P * x.a * std::cos(at.omega - at.eta),    // (2)
-          x.L * pull.Q * x.a * std::cos(at.theta - at.omega)};  // (3)
+  const auto [at, rate] = widened(now);
+  const Tensions<Fifty> pull = tensions(widened(x), {at, rate});
+  return {-Fifty(x.M) * x.c * sin(at.omega),                      // (1)
+          -x.L * pull.P * x.a * cos(at.omega - at.eta),           // (2)
+          Fifty(x.L * pull.Q) * x.a * cos(at.theta - at.omega)};  // (3)
 }
 
 double acceleration(const Instrument& x, const Moments& by)  // (4)
 {
-  return 2 * x.g * by.all() / (x.M * (x.kk + x.c * x.c));
+  return double(2 * Fifty(x.g) * by.all() / (Fifty(x.M) * (Fifty(x.kk) + Fifty(x.c) * x.c)));
 }
 
 TELL
 {
   const Unit moment{"ft"};
   const Moments by = moments(given(), now_at());
-  tell("weight", by.weight, moment, "moment of the beam's weight, (1)", 14);
-  tell("by_P", by.P, moment, "of the string AP, (2)", 12);
-  tell("by_Q", by.Q, moment, "of the string BQ, (3)", 12);
-  tell("omega_dd", acceleration(given(), by), Unit{"1/s²"}, "ddω/dt² by V", 11);
+  tell("weight", double(by.weight), moment, "moment of the beam's weight, (1)", 14);
+  tell("by_P", double(by.P), moment, "of the string AP, (2)", 14);
+  tell("by_Q", double(by.Q), moment, "of the string BQ, (3)", 14);
+  tell("omega_dd", acceleration(given(), by), Unit{"1/s²"}, "ddω/dt² by V", 14);
   tell("CAP", 90_deg - omega + eta, degrees, "angle of the string AP with the beam", 13);
   tell("CBQ", 90_deg + omega - theta, degrees, "of the string BQ", 13);
 }
@@ -110,7 +111,7 @@ TELL
     for(const State<>& now : course(example, released(10_deg, 10_deg, 10_deg), 2 * std::numbers::pi, 360))
     {
       const Moments by = moments(instrument_of_35, now);
-      out.put({double(degree++), by.weight, by.P + by.Q, by.all()});
+      out.put({double(degree++), double(by.weight), double(by.P + by.Q), double(by.all())});
     }
   });
 }
@@ -126,7 +127,7 @@ once to plus 0.07 and back. The strings' moment has the other sign and about hal
 ripples. The sum lies between them.
 
 The moments on the beam of {{sec balance.35}}, all three let go at 10°. The strings' two moments, of which
-each is near $La$ = 1.78, leave a difference that works against the beam's own weight: the pans make the beam
+each is near $La$, leave a difference that works against the beam's own weight: the pans make the beam
 sluggish.
 :::
 
@@ -158,22 +159,18 @@ CHECK_THAT("the moments told are those of the forces on the ends of the beam, an
 {
   for(const Told& now : told_at(
           "", "a=1 b=0.5 c=0.3 k=0.4 L=3 M=1 g=4.9 omega=-60 eta=100 theta=-130 omega_rate=2 eta_rate=-9",
-          "c=0 L=1e-3 k=90 eta_rate=30 omega_rate=-4", "L=1e3 M=1e-2 omega=1e-9 eta=-1e-9 theta=0"))
+          "c=0 L=1e-3 k=90 eta_rate=30 omega_rate=-4",
+          "a=100 b=0.01 c=0 k=0.01 L=1000 M=0.001 g=100 omega_rate=100 eta_rate=-100 theta_rate=100",
+          "L=1e3 M=1e-2 omega=1e-9 eta=-1e-9 theta=0"))
   {
     const Exactly by = by_forces();
     const Unit moment{"ft"};
-    const double size = double(a)
-                        * (L + double(abs(by.P) + abs(by.Q)) / a
-                           + b * L * (eta_rate * eta_rate + theta_rate * theta_rate) / g);
-    // heavy pans: the beam's acceleration is what is left of both pulls
-    const double room = 2e-14 * size * (1 + 1e-9 * L / M);
-    const char* const why = "some forty roundings of the largest part";
-    CHECK(now.value("weight", moment) == within_relative(by.weight, 8e-16, "two products and a sine"));
-    CHECK(now.value("by_P", moment) == within(by.P, room, why));
-    CHECK(now.value("by_Q", moment) == within(by.Q, room, why));
-    const double inertia = M * (k * k + c * c);
+    const char* const why = "one rounding, of fifty digits";
+    CHECK(now.value("weight", moment) == within_ulps(by.weight, 1, why));
+    CHECK(now.value("by_P", moment) == within_ulps(by.P, 1, why));
+    CHECK(now.value("by_Q", moment) == within_ulps(by.Q, 1, why));
     const Fifty beam = accelerations(widened(given()), widened(now_at())).omega;
-    CHECK(now.value("omega_dd", Unit{"1/s²"}) == within(beam, 2 * g * 2 * room / inertia, why));
+    CHECK(now.value("omega_dd", Unit{"1/s²"}) == within_ulps(beam, 1, why));
   }
 }
 
@@ -235,7 +232,7 @@ double by_five(double sine_of, double factor, bool minus_before_all)  // ddω/dt
 {
   const Instrument& x = instrument_of_35;
   const Moments by = moments(x, somewhere);
-  const double weight = x.M * x.c * std::sin(sine_of), strings = by.P + by.Q;
+  const double weight = x.M * x.c * std::sin(sine_of), strings = double(by.P + by.Q);
   return factor * x.g * (minus_before_all ? -(weight + strings) : strings - weight)
          / (x.M * (x.kk + x.c * x.c));
 }
