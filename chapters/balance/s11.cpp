@@ -125,7 +125,7 @@ TELL
 
 /*!
 At Euler's sixth of the radius the end of the beam has moved {{inward|4}} ft inward, {{sideways|percent2}} of
-its way up. Of $x$, which is {{x|4}} ft by {{eq 1}}, {{of_x|3}} ft are missing.
+its way up. To $x$, which is {{x|4}} ft by {{eq 1}}, {{of_x|3}} ft must be added.
 
 {{table shares}}
 
