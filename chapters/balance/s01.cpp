@@ -12,7 +12,7 @@ using namespace balance;
 ## What Euler does
 
 A pan of a balance is pulled aside and let go, and by and by the other pan has its motion: Euler quotes the
-report of Daniel Bernoulli and resolves to explain it. The balance was a large one and rather sluggish. Four
+report of Bernoulli and resolves to explain it. The balance was a large one and rather sluggish. Four
 things can be told apart in what was seen.
 
 1. The pan that was let go swings to and fro; the other one at first does not stir from its place.
@@ -113,14 +113,14 @@ Reach throughout(const Suspended& s, double until)
 
 /*!
 How far a pan swings at some moment is the most that it leans within one of its periods around that moment,
-looked for at {{looks}} instants. The motion starts from rest and would run backwards alike.
+looked for at the ends of {{looks}} equal steps. The motion starts from rest and would run backwards alike.
 */
 
 TELL
 {
   const double T = transfer(hung()).time, swing = std::numbers::pi / pan();
   require(T >= 6 && T <= 40, "h", "such that the motion passes in 6 to 40 seconds");
-  tell("looks", looks, "instants looked at");
+  tell("looks", looks, "steps of a period that are looked at");
   tell("swing", swing, seconds, "one swing of a pan from side to side", 15);
   tell("T", T, seconds, "everything should have passed, (A)", 14);
   tell("swings", T / swing, "the same in swings", 13);
