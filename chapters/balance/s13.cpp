@@ -108,8 +108,7 @@ TELL
 }
 
 /*!
-The terms by themselves, in an unhurried moment of the example; and how what is missing shrinks with the
-swings.
+The terms by themselves, in the same state; and how what is missing shrinks with the swings.
 */
 
 Fifty kept(const State<Fifty>& now)  // −aηω̈:b, of (1)
