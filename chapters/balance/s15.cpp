@@ -97,8 +97,8 @@ TELL
     tell("shift_by_C", pushed_by(), per_second, "the same by (C)");
   tell("growth", f.growth, per_second, "rate at which swings grow", 11);
   const Pan now = pan_under(given(), {n, v}, t);
-  tell("eta", now.y, radians, "η at the time t, of (A)", 11);
-  tell("eta_rate", now.rate, per_second, "its rate", 11);
+  tell("eta", now.y, radians, "η at the time t, of (A)", 9);
+  tell("eta_rate", now.rate, per_second, "its rate", 9);
   tell("eta_by_2", n * std::cos(mu * t) + v / mu * std::sin(mu * t), radians, "η by (2)", 11);
 }
 
