@@ -103,7 +103,8 @@ TELL
   tell("weight_Q", double(1 + a.fifty() * beam(T) / f.fifty()), "that of Q");
   tell("of_P", double(pan(eta.fifty(), 1, T)), "ddη/μμdt², (2)");
   tell("of_Q", double(pan(theta.fifty(), -1, T)), "ddϑ/μμdt²");
-  tell("delta", double(slower_by()), per_second, "δ, by how much the pans are slower, (A)");
+  tell("delta", double(slower_by()), per_second,
+       "δ of (A), by how much the pans are slower if the beam swings little");
 }
 
 /*!
@@ -144,8 +145,8 @@ feels {{weight_P|6}}, Q {{weight_Q|6}} of it. The pans are slower by {{delta|e3}
 
 ::: figure balance-16
 alt: Errors against the time, both logarithmic. With the product left out the error lies near a hundredth and
-in the end grows. With the product put in once it starts far smaller, grows steadily and meets the first at a
-thousand seconds. With the frequency put right it stays small throughout.
+in the end grows. With the product put in once it starts far smaller, grows steadily and comes up
+to the first after a thousand seconds. With the frequency put right it stays small throughout.
 
 What the approximations miss of the solution of {{eq 2}}, in parts of the excursion: with the small member
 left out, {{sec balance.15}}; with the first approximation put into it once, {{sec balance.17}}; the same
