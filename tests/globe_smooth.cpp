@@ -175,6 +175,9 @@ TEST_CASE("the angle at a time has that time, in every swing and turn")
     }
   CHECK(smooth::angle(c, k, energy(1.0), smooth::time(c, k, energy(1.0), place_from_top(1e-9))).from_top
         == within_relative(1e-9, 1e-14, "ten ulps of the time, 12 of them units of k"));
+  for(const double half : {1.0, -1.0})  // just between two lowest places
+    CHECK(smooth::angle(c, k, energy(8.0), half * smooth::quarter(c, k, energy(8.0))).Phi
+          == within_ulps(half * exact::pi(), 4, bound));
   CHECK_THROWS_AS(smooth::angle(c, k, energy(0.5), 1e30), std::domain_error);
 }
 

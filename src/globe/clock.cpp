@@ -92,10 +92,10 @@ Turned Clock::at(double tau, double quarter, const std::function<Rate(const Read
   const bool once = e_.from_top == 0;
   // How many whole turns or swings, and the time since the last lowest place, backwards where that is nearer.
   const double whole = once ? 0 : (e_.turns_over() ? 2 : 4) * quarter;
-  const double turns = once ? 0 : std::round(tau / whole);
+  const double left = once ? tau : std::remainder(tau, whole);
+  const double turns = once ? 0 : std::round((tau - left) / whole);  // the same ones, at half a turn too
   if(!(std::abs(turns) < 1e9) || (once && !(std::abs(tau) < rate(reading(latest)).time)))
     throw std::domain_error("so late the place can no longer be told");
-  const double left = once ? tau : std::remainder(tau, whole);
   double ahead = std::abs(left);
   const bool falling = !once && !e_.turns_over() && ahead > quarter;  // a ball that rocks, on its way back
   if(falling)
