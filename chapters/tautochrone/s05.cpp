@@ -55,7 +55,7 @@ $T$ is a *functional*; to find $r$ from it is an inverse problem. It is solved i
 :::
 
 A heavy point wants $\beta = \tfrac12$, $\gamma = 0$, Huygens's cycloid, and that is right to all orders. A
-body wants more curvature. And at $\kappa = \tfrac13$, $k = 0.577\,a$, {{eq C}} no longer contains $\beta$:
+body with $\kappa < \tfrac13$ wants a larger $\beta$; beyond it wants a negative one. And at $\kappa = \tfrac13$, $k = 0.577\,a$, {{eq C}} no longer contains $\beta$:
 there no bending of the curve mends the first fault. What happens there, {{sec tautochrone.25}} says.
 
 ## The program
@@ -259,7 +259,8 @@ CHECK_THAT(
   }
 }
 
-CHECK_THAT("for a heavy point they are the cycloid's, and right to all orders; a body wants more curvature")
+CHECK_THAT("for a heavy point they are the cycloid's, and right to all orders; a body with κ < ⅓ wants "
+           "a larger β, and beyond it a negative one")
 {
   for(const Told& now : told_at("k=0", "k=0 phi0=80"))
   {
@@ -270,6 +271,8 @@ CHECK_THAT("for a heavy point they are the cycloid's, and right to all orders; a
   }
   for(const char* const ratio : {"0.01", "0.3", "0.57"})
     CHECK(best_beta(Fifty(ratio)) > Fifty("0.5"));
+  for(const char* const ratio : {"0.58", "1", "1e6"})
+    CHECK(best_beta(Fifty(ratio)) < 0);
 }
 
 CHECK_THAT("at κ = ⅓ the bending does not matter to narrow swings")
