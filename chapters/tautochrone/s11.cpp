@@ -104,7 +104,7 @@ TELL
   tell("late_without", 86'400 * swinging(without).excess(phi0), seconds,
        "the same, the strip having no weight");
   tell("law", double(law(with, phi0.fifty())), "(B), for narrow swings");
-  tell("like", double(like(with)), "(C), the kk/aa of a body that would lose as much");
+  tell("like", double(like(with)), "(C), the kk/aa of a body that would lose as much as a light strip");
   tell("wound", needed * a, metres, "s at the end of the swing, the part that lies on the cheek");
 }
 
