@@ -120,7 +120,7 @@ TELL
   tell("by_lengths", k_by_lengths(a + CD_for(k)), metres, "k from AD as a double and a, (1)");
   tell("found", k_by_gain(gain_found(error, phi0)), metres,
        "k from a time with this error and swings so wide");
-  tell("amiss", amiss(error, phi0), percent, "by how much that is too great, (A)");
+  tell("amiss", amiss(error, phi0), percent, "by how much that is too great, where it is little, (A)");
   tell("amiss_width", amiss(0, phi0), percent, "of this because the swings are not infinitely small");
   tell("s", wound(), metres, "AM, (2), between Huygens's cheeks");
   tell("MG", MG(), metres, "the rest, (3)");
