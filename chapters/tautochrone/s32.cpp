@@ -158,8 +158,8 @@ gently, the cycloid next. Euler's curve leaves the cycloid upwards and ends firs
 most steeply and ends higher.
 
 The upper parts of the circle about $A$, the cycloid, Euler's curve and the highest exact tautochrone,
-for $k = \tfrac3{10}a$. Euler's goes half of the way from the cycloid to the exact one, and ends where
-its radius of curvature has come down to zero.
+for $k = \tfrac3{10}a$. Euler's goes less than half of the way from the cycloid to the exact one where it
+ends, its radius of curvature having come down to zero.
 :::
 
 ## Checks
@@ -359,6 +359,16 @@ CHECK_THAT("in the figure each curve has the coordinates of its kind, sums of r 
       CHECK(all[i].value("x") == within(x * to / 192, 1e-7, "the fourth power of a strip"));
       CHECK(all[i].value("y") == within(y * to / 192, 1e-7, "the fourth power of a strip"));
     }
+    const auto height = [&](std::size_t from, double y) {  // of the curve whose points begin there
+      std::size_t i = from;
+      while(all[i + 1].at("y") < y)
+        ++i;
+      const double part = (y - all[i].at("y")) / (all[i + 1].at("y") - all[i].at("y"));
+      return all[i].at("x") + part * (all[i + 1].at("x") - all[i].at("x"));
+    };
+    const double y = all[182].at("y"), cycloid = height(61, y);
+    CHECK((all[182].at("x") - cycloid) / (height(183, y) - cycloid)
+          == between(0.4, 0.45, "less than half of the way"));
   }
 }
 
