@@ -137,7 +137,7 @@ stands off from Huygens's by more than a workshop can neglect:
 alt: Three cheeks hang from one cusp; the larger k is, the more steeply they run down. The dashed exact
 cheek for three tenths is steeper still, and short.
 
-The cheek for $k = 0$, for $\tfrac1{10}a$ and for $\tfrac3{10}a$, each up to the depth $0{,}62a$ at most.
+The cheek for $k = 0$, for $\tfrac1{10}a$ and for $\tfrac3{10}a$, each up to the depth $0.62a$ at most.
 Dashed, the cheek of the highest exact tautochrone for $\tfrac3{10}a$: of so large a body Euler's is no
 longer near.
 :::
