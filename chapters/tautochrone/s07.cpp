@@ -77,36 +77,42 @@ Point<Real> on_path(const Real& ratio, const Real& at)  // G
   return {q + r * sin(at), p + r * cos(at)};
 }
 
+template <class Real>
 struct Corner  ///< of the polygon
 {
-  Point<double> at;  ///< where it is
-  double since;  ///< the inclination of the side that leads to it: from there on the thread turns about it
-  double free;   ///< rᵢ, (A)
+  Point<Real> at;  ///< where it is
+  Real since;  ///< the inclination of the side that leads to it: from there on the thread turns about it
+  Real free;   ///< rᵢ, (A)
 };
 
-std::vector<Corner> polygon(double ratio, double reach, int sides)  // (A)
+template <class Real>
+std::vector<Corner<Real>> polygon(const Real& ratio, const Real& reach, int sides)  // (A)
 {
-  std::vector<Corner> all = {{{0, 0}, 0, 1}};
+  using std::atan2, std::hypot;
+  std::vector<Corner<Real>> all = {{{0, 0}, 0, 1}};
   for(int i = 1; i <= sides; ++i)
   {
-    const Corner& last = all.back();
-    const Point<double> next = on_cheek<double>(ratio, reach * i / sides);
-    const double aside = next.aside - last.at.aside, down = next.down - last.at.down;
-    all.push_back({next, std::atan2(aside, down), last.free - std::hypot(aside, down)});
+    const Corner<Real>& last = all.back();
+    const Point<Real> next = on_cheek<Real>(ratio, reach * i / sides);
+    const Real aside = next.aside - last.at.aside, down = next.down - last.at.down;
+    all.push_back({next, atan2(aside, down), last.free - hypot(aside, down)});
   }
   return all;
 }
 
-Point<double> on_arcs(const std::vector<Corner>& corners, double at)  // G on the chain of arcs
+template <class Real>
+Point<Real> on_arcs(const std::vector<Corner<Real>>& corners, const Real& at)  // G on the chain of arcs
 {
-  const Corner* about = &corners.front();
-  for(const Corner& corner : corners)
+  using std::cos, std::sin;
+  const Corner<Real>* about = &corners.front();
+  for(const Corner<Real>& corner : corners)
     about = corner.since <= at ? &corner : about;
-  return {about->at.aside + about->free * std::sin(at), about->at.down + about->free * std::cos(at)};
+  return {about->at.aside + about->free * sin(at), about->at.down + about->free * cos(at)};
 }
 
 /*!
 The centre of the circle through three points is where the lines meet that halve the chords at right angles.
+The distances by which both ways fail are differences of places; they are told from fifty digits.
 */
 
 template <class Real>
@@ -118,10 +124,11 @@ Point<Real> centre(const Point<Real>& one, const Point<Real>& two, const Point<R
   return {one.aside + (v * xx - y * uu) / twice, one.down + (x * uu - u * xx) / twice};
 }
 
-Point<double> from_path(double ratio)  // M, of three places of G
+Point<Fifty> from_path(const Fifty& ratio)  // M, of three places of G
 {
-  return centre(on_path<double>(ratio, phi - h), on_path<double>(ratio, phi),
-                on_path<double>(ratio, phi + h));
+  const Fifty at = phi.fifty(), step = h.fifty();
+  return centre(on_path<Fifty>(ratio, at - step), on_path<Fifty>(ratio, at),
+                on_path<Fifty>(ratio, at + step));
 }
 
 template <class Real>
@@ -138,13 +145,15 @@ TELL
   require(phi0 < largest_amplitude(Cheeks::euler_k4, ratio), "phi0", "where the cheek has not yet ended");
   require(phi <= phi0, "phi", "at most phi0");
   const Point<double> M = on_cheek<double>(ratio, phi), G = on_path<double>(ratio, phi);
+  const Fifty exactly = k.fifty() / a.fifty(), at = phi.fifty();
+  const Point<Fifty> led = on_arcs(polygon<Fifty>(exactly, phi0.fifty(), n), at);
   tell("q", a * M.aside, metres, "M, beside A");
   tell("p", a * M.down, metres, "and below it");
   tell("G_aside", a * G.aside, metres, "G, beside A");
   tell("G_down", a * G.down, metres, "and below it");
-  tell("arcs_off", a * apart(G, on_arcs(polygon(ratio, phi0, n), phi)), metres,
+  tell("arcs_off", a * double(apart(on_path<Fifty>(exactly, at), led)), metres,
        "how far the polygon leads G from there");
-  tell("centre_off", a * apart(M, from_path(ratio)), metres,
+  tell("centre_off", a * double(apart(on_cheek<Fifty>(exactly, at), from_path(exactly))), metres,
        "how far the centre of three places is from M");
   tell("late_circle", 86'400 * excess(Cheeks::none, 0, phi0), seconds, "in a day, on a fixed axis");
   tell("late", 86'400 * excess(Cheeks::euler_k4, ratio, phi0), seconds, "in a day, between the cheeks");
@@ -160,7 +169,8 @@ TELL
       table("sides", "Huygens's cheek with corners, to 60°: how far it leads the body astray at 40°",
             {{"n", "sides"}, {"off", "distance from the path, in parts of a", none, 4}});
   for(const int count : {1, 3, 9, 27, 81})
-    sides.row({count, apart(on_path<double>(0, 40_deg), on_arcs(polygon(0, 60_deg, count), 40_deg))});
+    sides.row(
+        {count, apart(on_path<double>(0, 40_deg), on_arcs(polygon<double>(0, 60_deg, count), 40_deg))});
 }
 
 TELL
@@ -172,14 +182,14 @@ TELL
                          {"down", "below A"},
                          {"r", "r_i"},
                          {"since", "from", degrees, 5}});
-  const auto of = polygon(ratio, phi0, n);
+  const auto of = polygon<double>(ratio, phi0, n);
   for(std::size_t i{0}; i < of.size(); ++i)
     corners.row({static_cast<long long>(i), of[i].at.aside, of[i].at.down, of[i].free, of[i].since});
   curve("paths", {"phi", "arcs_aside", "arcs_down", "aside", "down", "q", "p"}, [&](Curve& out) {
     for(int i = 0; i <= 120; ++i)
     {
       const double at = phi0 * i / 120;
-      const auto [x, y] = on_arcs(of, at);
+      const auto [x, y] = on_arcs<double>(of, at);
       const auto [u, v] = on_path<double>(ratio, at);
       const auto [q, p] = on_cheek<double>(ratio, at);
       out.put({at / 1_deg, x, y, u, v, q, p});
@@ -269,8 +279,8 @@ Point<Fifty> G_turned(const Fifty& ratio, const Fifty& reach, int sides, const F
 CHECK_THAT(
     "M, G and the polygon's error are those of a thread that winds itself on the cheek, and on its corners")
 {
-  for(const Told& now :
-      told_at("", "k=0.1 n=9 phi0=60 phi=33", "a=1e50 k=3e49 phi0=40 phi=40 n=2", "phi0=10 phi=1 n=1"))
+  for(const Told& now : told_at("", "k=0.1 n=9 phi0=60 phi=33", "a=1e50 k=3e49 phi0=40 phi=40 n=2",
+                                "phi0=10 phi=1 n=1", "phi0=0.1 phi=0.1 n=40"))
   {
     const Fifty ratio = k.fifty() / a.fifty(), x = phi.fifty();
     const Point<Fifty> M = M_summed(ratio, x), G = G_summed(ratio, x);
@@ -280,7 +290,8 @@ CHECK_THAT(
     CHECK(now.value("p", metres) == within_relative(a.fifty() * M.down, 1e-14, why));
     CHECK(now.value("G_aside", metres) == within_relative(a.fifty() * G.aside, 1e-14, why));
     CHECK(now.value("G_down", metres) == within_relative(a.fifty() * G.down, 1e-14, why));
-    CHECK(now.value("arcs_off", metres) == within(a.fifty() * apart(G, led), 3e-15 * a, why));
+    CHECK(now.value("arcs_off", metres)
+          == within_relative(a.fifty() * apart(G, led), 1e-12, "the quadrature's digits"));
   }
 }
 
@@ -295,8 +306,8 @@ CHECK_THAT("the centre of three places is as far from M as told, and equally far
     CHECK(apart(middle, one) == within_relative(apart(middle, two), 1e-35, "the radius"));
     CHECK(apart(middle, three) == within_relative(apart(middle, two), 1e-35, "the radius"));
     CHECK(now.value("centre_off", metres)
-          == within(a.fifty() * apart(middle, M_summed(ratio, x)), 2e-15 * a / (h * h),
-                    "roundings over the chords' squares"));
+          == within_relative(a.fifty() * apart(middle, M_summed(ratio, x)), 1e-12,
+                             "the quadrature's digits"));
     const Point<Fifty> half = centre(G_summed(ratio, x - step / 2), two, G_summed(ratio, x + step / 2));
     const Point<Fifty> M = M_summed(ratio, x);
     CHECK(apart(middle, M) / apart(half, M) == within(4, 0.1, "the second order"));
@@ -337,12 +348,12 @@ CHECK_THAT("the corners lie on the cheek, and where two arcs join both radii lie
       CHECK(row.value("r") == within(left, 3e-15, why));
       const Fifty side = i == 0 ? Fifty(0) : atan2(corner.aside - last.aside, corner.down - last.down);
       CHECK(row.value("since", degrees) == within(side, 1e-13, "differences of the corners' places"));
-      const auto of = polygon(double(ratio), phi0, n);
+      const auto of = polygon<double>(double(ratio), phi0, n);
       if(i > 0)
       {
         const auto joint = std::size_t(i);
         const double turn = of[joint].since;
-        const std::vector<Corner> before(of.begin(), of.begin() + i);
+        const std::vector<Corner<double>> before(of.begin(), of.begin() + i);
         CHECK(apart(on_arcs(before, turn), on_arcs(of, turn)) == within(0, 2e-15, "one place"));
       }
       last = corner;
