@@ -56,8 +56,8 @@ $T$ is a *functional*; to find $r$ from it is an inverse problem. It is solved i
 
 A heavy point wants $\beta = \tfrac12$, $\gamma = 0$, Huygens's cycloid, and that is right to all orders. A
 body with $\kappa < \tfrac13$ wants a larger $\beta$, one with $\kappa > \tfrac13$ a negative one. And at
-$\kappa = \tfrac13$, $k = 0.577\,a$, {{eq C}} no longer contains $\beta$: there no bending of the curve mends the
-first fault. What happens there, {{sec tautochrone.25}} says.
+$\kappa = \tfrac13$, $k = 0.577\,a$, {{eq C}} no longer contains $\beta$: there no bending of the curve mends
+the first fault. What happens there, {{sec tautochrone.25}} says.
 
 ## The program
 
