@@ -49,7 +49,8 @@ for the square of $k - c\,|\sin\Phi|$ is not negative, and $y$ is $a + c$ at mos
 
 ## The program
 
-It decides what the ball does, in the attitude and at the velocities that the reader gives.
+It decides what the ball does, in the attitude and at the velocities that the reader gives. Where the ball
+scrapes and the denominator is not positive there, it refuses.
 */
 
 const auto a = real("a", 1, feet, scale, "radius of the ball");
@@ -120,6 +121,15 @@ double lambda(Does what)
   }
 }
 
+bool determined(Does what)  // the denominator before (B), where it scrapes
+{
+  if(what == Does::leaves || what == Does::rolls)
+    return true;
+  const Fifty side = c.fifty() * sin(Phi.fifty()), y = a.fifty() - c.fifty() * cos(Phi.fifty());
+  const Fifty friction = lambda(what) > 0 ? mu.fifty() : Fifty(-mu.fifty());
+  return k.fifty() * k.fifty() - side * (friction * y - side) > 0;
+}
+
 const std::array<const char*, 6> in_words{"leaves the plane",           "scrapes towards O",
                                           "scrapes towards I",          "rolls",
                                           "begins to scrape towards O", "begins to scrape towards I"};
@@ -130,6 +140,7 @@ TELL
   require(a.fifty() < 1e20 * b && c.fifty() < 1e20 * b, "k",
           "more, or c farther from a: a and c below 1e20 b");
   const Does what = does();
+  require(determined(what), "mu", "less: so much leaves the scraping undetermined at this angle");
   tell("ball", in_words.at(static_cast<std::size_t>(what)), "what the ball does");
   tell("lambda", lambda(what), "λ, friction over pressure, positive backwards");
   const Needs needs = needs_of_rolling();
@@ -260,6 +271,25 @@ CHECK_THAT("what the ball is told to do is what its point at S does next")
       CHECK(now.value("lambda") == within_ulps(side * mu.fifty(), 0.51, "the fraction that was given"));
     }
   }
+}
+
+CHECK_THAT("scraping is refused where with its λ the plane would have to pull, and nowhere else")
+{
+  const char* const twice[] = {"c=0.5 k=0.1 mu=0.95 Phi=80 w=0 v=1",
+                               "c=0.5 k=0.1 mu=0.95 Phi=-80 w=0 v=-1"};
+  for(const char* const setting : twice)
+    CHECK(refused_at(setting));
+  for(const char* const setting :
+      {"c=0.5 k=0.1 mu=0.95 Phi=-80 w=0 v=1", "c=0.5 k=0.1 mu=0.55 Phi=80 w=0 v=1"})
+    for(const Told& now : told_at(setting))
+    {
+      CHECK(now.value("ball") == "scrapes towards O");
+      CHECK(accelerations(ball(), g.fifty(), Phi.fifty(), w.fifty(), mu.fifty()).pressure > 0);
+    }
+  const Fifty at = 80 * exact::pi() / 180;
+  CHECK(accelerations(Ball<Fifty>{1, Fifty(1) / 2, Fifty(1) / 10}, Fifty(1), at, Fifty(0), Fifty("0.95"))
+            .pressure
+        < 0);
 }
 
 CHECK_THAT("at the limit told the denominator vanishes, at that angle and at no other, and (B) is enough")

@@ -98,7 +98,7 @@ TELL
   tell("Gamma", double(c_ * (e.h - e.from_top)), feet, "Γ, the constant");
   tell("zeta_0", double(velocity_of_energy<Fifty>(c_, kk, g_, e)), Unit{"1/s"},
        "ζ, the angular velocity at the lowest place");
-  tell("w", double(velocity(e, there)), Unit{"1/s"}, "the angular velocity at Φ");
+  tell("w", double(velocity(e, there)), Unit{"1/s"}, "the angular velocity at Φ, by (4)");
   tell("farthest", double(farthest(e)), degrees, "how far the ball turns; 180° where it turns over");
   tell("slowest", slowest(e), degrees, "where it turns slowest on its way up");
   tell("h_lift", smooth::lift_off_energy<double>(c, k), "the h beyond which that is below the top");

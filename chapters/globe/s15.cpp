@@ -55,7 +55,7 @@ the first term rules: while it turns, the ball has to lift and drop all its weig
 {{eq A}} has a zero at the negative $X = \frac12(1 - \sqrt{1 + kk:cc})$, and {{eq B}} converges only while
 $h$ is less than the size of that, if it is less than 1. For a large $c:k$ that is $kk:4cc$, an amplitude
 of $k:c$. Beyond it the time is another altogether: a ball with hardly any moment of inertia, $k = 0$,
-simply falls when it is let go, and the quarter of its swing takes the time of a fall through the height
+simply falls when it is let go, and the half of a single swing takes the time of a fall through the height
 $2ch$,
 
 $$ t = \sqrt{\frac{2ch}g}, \tag{C} $$
@@ -278,7 +278,7 @@ CHECK_THAT("the series (B) ends to converge where h is as great as the negative 
   }
 }
 
-CHECK_THAT("without inertia the quarter swing is a free fall, (C), and (3) has no part in it")
+CHECK_THAT("without inertia half of a single swing is a free fall, (C), and (3) has no part in it")
 {
   for(const char* h : {"1e-3", "0.5", "0.9"})
   {

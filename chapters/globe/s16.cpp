@@ -276,8 +276,8 @@ CHECK_THAT("the errors drawn are the quotient of the two roots, less one")
 ## Go on from here
 
 ::: exercise
-Where does the plane bear most in this motion, and where least, for our ball? Is it ever less than the
-weight?
+How much does the plane bear in this motion at the lowest place, and how much at the top? Is it ever less than
+the weight?
 answer: By {{eq C}} it bears $1 + 4cc:kk$ at the lowest place and just the weight at the top; between
 them, say at 120°, it is less than the weight for every $c$, but never nothing.
 :::

@@ -60,8 +60,8 @@ The time {{eq 4}} itself wants a correction. The means of the terms that {{sec g
 $$ t = \frac{\pi k}{n\sqrt{gc}}\Bigl(1 + \frac{cc}{4kk} + \frac1{2nn}
    + \frac9{16n^4} + \frac{cc}{8nnkk} - \frac{3c^4}{64k^4}\Bigr), \tag{C} $$
 
-and the first of the three new members is the greatest as long as the ball stays on its plane, if $c$ is less
-than $k\sqrt2$, by what {{sec globe.21}} shows of its two rivals.
+and as long as the ball stays on its plane, and $c$ is not greater than $k$, the first of the three new members
+is the greatest in size.
 
 ## The program
 
@@ -368,6 +368,18 @@ CHECK_THAT("the curves are the angles of the motion and of (3), less the mean on
       }
     }
   }
+}
+
+CHECK_THAT("as long as the plane holds a ball with c up to k, the first new member of (C) is the greatest")
+{
+  for(const double ratio : {1e-6, 0.1, 1. / 6, 0.5, 1.})
+  {
+    const Fifty q = Fifty(ratio) * ratio, nn = 2 + 1 / (2 * q);  // the greatest of §20, where it is hardest
+    CHECK(9 / (16 * nn * nn) > q / (8 * nn));
+    CHECK(9 / (16 * nn * nn) > 3 * q * q / 64);
+  }
+  const Fifty q = 1.5, nn = 2 + 1 / (2 * q);
+  CHECK(9 / (16 * nn * nn) < 3 * q * q / 64);
 }
 
 /*!

@@ -42,9 +42,9 @@ $$ M = \Phi - 2\varepsilon\sin\Phi + \tfrac34\varepsilon\varepsilon\sin2\Phi - \
 and the ball's by $M = \Phi - e_1\sin\Phi - e_2\sin2\Phi$. The first inequalities agree with $e_1 =
 2\varepsilon$. The second do not: they have different signs. The planet is drawn out along the line from
 perihelion to aphelion; the ball's $e_2$ comes from $cc\sin^2\Phi$, the rise and fall of $G$, which delays it
-on both sides and at neither end. And the comet gets on otherwise than the ball of Case II. For what Φ lacks
-of 180° to become half as much the comet needs, in the end, eight times the time that it has been under way,
-the ball {{sec globe.18}} but always the same time more.
+on both sides and at neither end. And the comet gets on otherwise than the ball of Case II. When what Φ lacks
+of 180° has become half as much the comet has been under way, in the end, eight times as long, the ball of
+{{sec globe.18}} but always by the same time longer.
 
 That $G$ is fastest at the lowest place, slowest at the highest, and steadily the one or the other between
 them is exact, not only for small inequalities, but it hangs on the plane. By {{sec globe.10}}

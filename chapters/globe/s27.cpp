@@ -66,8 +66,9 @@ $$ kk \ge (a+c)(3c-a), \qquad\text{that is}\quad c \le \tfrac13\bigl(\sqrt{4aa+3
 
 with more eccentricity it is lost before, at an angle below 180°.
 
-What is right is a set of windows. At each angle the friction just suffices for energies up to one bound, or
-from one bound on; together they leave one interval of energies in which the ball rolls for ever, or several:
+What is right is a set of windows. At each angle the friction suffices from one energy, or from the least that
+gets there, up to another; together they leave one interval of energies in which the ball rolls for ever, or
+several:
 the cradle with $c = k = \tfrac12 a$ rolls if it rocks by little, scrapes if it rocks by more, and turns over
 rolling.
 
@@ -446,7 +447,8 @@ CHECK_THAT("the curves are those of the motion and of the two estimates")
 /*!
 Of the readings those of {{eq 2}} are held against the motion of our ball at 90° with $h = 3$; those of
 {{eq 4}} and {{eq 5}} against {{eq 3}}, for a radius of two, since with one the powers of $a$ would all be the
-same. The limit at the end has lost both of its figures, but the sentence before has it.
+same. The limit at the end has lost both of its figures; but $m > 3$, in this same section, makes it a third,
+whether a half or a third was meant in {{sec globe.04}} and {{sec globe.24}}, where our copy has ½.
 */
 
 bool is_the_friction(double reading)
@@ -496,11 +498,12 @@ const Emendation twice_C{"§27, λ for small c",
                                   == within_relative(Fifty(1) / 10 / S_and_a(1.5), 1e-14, "c over (3)");
                          }};
 
-const Emendation third{"§27, the limit at the end",
-                       {"s/t", 0.5},
-                       {"1/3", 1 / 3.},
-                       "S + a is to be greater than 3c, and λ is c/(S + a); s/t is read as the ½ of §24",
-                       [](double most) { return most == within_ulps(Fifty(1) / 3, 1, "c over 3c"); }};
+const Emendation third{
+    "§27, the limit at the end",
+    {"s/t", 0.5},
+    {"1/3", 1 / 3.},
+    "S + a is to be greater than 3c here, and λ is c/(S + a); s/t is tried as the ½ of our copy in §24",
+    [](double most) { return most == within_ulps(Fifty(1) / 3, 1, "c over 3c"); }};
 
 /*!
 ## Notes
