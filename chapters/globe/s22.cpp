@@ -60,8 +60,8 @@ The time {{eq 4}} itself wants a correction. The means of the terms that {{sec g
 $$ t = \frac{\pi k}{n\sqrt{gc}}\Bigl(1 + \frac{cc}{4kk} + \frac1{2nn}
    + \frac9{16n^4} + \frac{cc}{8nnkk} - \frac{3c^4}{64k^4}\Bigr), \tag{C} $$
 
-and as long as the ball stays on its plane, and $c$ is not greater than $k$, the first of the three new members
-is the greatest in size.
+and as long as the ball stays on its plane, and $c$ is not greater than $k$, the first of the three new
+members is the greatest in size.
 
 ## The program
 
