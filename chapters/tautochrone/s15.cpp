@@ -230,7 +230,8 @@ The false equation, with $H$ for $Z$, is followed as a motion in fifty digits: a
 CHECK_THAT(
     "with H for Z the swing would be as much shorter as told, by following that motion for half the time")
 {
-  for(const Told& now : told_at("", "k=0.6 a=2 phi0=75 phi=0", "k=1e-3 phi0=5 phi=1"))
+  for(const Told& now :
+      told_at("", "k=0.6 a=2 phi0=75 phi=0", "k=1e-3 phi0=5 phi=1", "k=0.01 phi0=87 phi=0"))
   {
     const Fifty ratio = k.fifty() / a.fifty(), kk = ratio * ratio;
     const auto false_motion = [&](const Fifty&, const exact::State& y) -> exact::State {
@@ -267,8 +268,15 @@ CHECK_THAT("in the figure all ratios are those of the motion and at most one, wh
 {
   for(const Told& now : told_at("", "k=0.4"))
   {
+    int ends = 0;
     for(const auto& point : now.points("ratios"))
+    {
       CHECK(point.value("ratio") == between(0, 1, "the remark is refuted"));
+      if(point.at("phi") > point.at("amplitude") - 1e-9)
+        CHECK(point.value("ratio") == within(1, 1e-13, "at the turning point Z is in H"));
+      ends += point.at("phi") > point.at("amplitude") - 1e-9 ? 1 : 0;
+    }
+    CHECK(ends == 4);
     for(const auto& point : now.points("ratios", 7))
     {
       const Fifty at_ = point.at("phi"), x = (at_ > 0 ? at_ : Fifty("1e-12")) * exact::pi() / 180,
