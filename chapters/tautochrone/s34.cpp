@@ -253,7 +253,7 @@ lowest place.
 
 The three bobs after {{swings}} swings of the exact one (blue), which is just turning back. Euler's
 (vermilion) is late by an eighth of a swing, Huygens's (green) by almost half a one: it is near the
-lowest place. The three arcs are hardly to be told apart.
+lowest place. Of the three arcs, which are hardly to be told apart, the exact one is drawn.
 :::
 
 ## Checks
@@ -479,6 +479,21 @@ CHECK_THAT("each arc of that figure is led by its cheek: G is at the end of what
       CHECK(point.value("down") == within(p + free * cos(size), 1e-12, "the angle's rounding"));
       CHECK(point.value("q") == within(y - side * free * sin(size), 1e-12, "the angle's rounding"));
       CHECK(point.value("p") == within(down - free * cos(size), 1e-12, "the angle's rounding"));
+    }
+}
+
+CHECK_THAT("the three arcs are hardly to be told apart: at one distance sideways their heights differ by "
+           "less than "
+           "three thousandths of a")
+{
+  for(const Told& now : told_at(""))
+    for(const auto& point : now.points("arcs", 7))
+    {
+      const double y = std::abs(point.at("y"));
+      double lo = 0, hi = wide;  // on Huygens's arc
+      for(int i = 0; i < 60; ++i)
+        (euler_y<double>(1, 0, (lo + hi) / 2) < y ? lo : hi) = (lo + hi) / 2;
+      CHECK(1 - point.at("down") - euler_x<double>(1, 0, hi) == between(-1e-12, 0.003, "hardly"));
     }
 }
 
