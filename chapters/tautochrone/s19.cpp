@@ -362,6 +362,11 @@ CHECK_THAT("in the figure the midpoints in φ err by ζ(½, ½) = −0.6049 time
       }
     }
     CHECK(worst == between(1e-13, 1, "it has grown"));
+    const auto all = now.points("errors");
+    CHECK(all[10].at("nodes") == 12);
+    CHECK(all[10].value("alpha") == between(0, 5e-15, "a dozen places are enough"));
+    CHECK(all.back().value("nodes") == between(29'000, 1 << 15, "thirty thousand places"));
+    CHECK(all.back().value("raw") == between(0.9e-3, 1.3e-3, "a thousandth"));
   }
 }
 
