@@ -192,6 +192,13 @@ TEST_CASE("excesses over a very small swing keep their digits")
       const Fifty excess = whole / (exact::pi() / 2 * k) - 1;
       CHECK(smooth::excess(ratio * k, k, energy(h)) == within_ulps(excess, 8, bound));
     }
+  for(const double ratio : {60.0, 80.0, 100.0})  // where the mesh of equal steps would be too fine
+    for(const double below : {0.1, 0.01, 1e-6, 1e-12, 1e-100})
+    {
+      const Fifty whole = smooth::quarter<Fifty>(ratio * k, k, energy_from_top(Fifty(below)));
+      CHECK(smooth::excess(ratio * k, k, energy_from_top(below))
+            == within_ulps(whole / (exact::pi() / 2 * k) - 1, 8, bound));
+    }
   // 1e-24 of the pendulum's: what c = 1e-12 adds, told by two small numbers
   const Fifty tiny("1e-12");
   const Fifty more =

@@ -190,8 +190,8 @@ The times told are held against quadrature of {{eq A}} and of {{sec globe.13}}, 
 CHECK_THAT(
     "the times, the amplitudes and the excess told are those of the integral, however small the swing")
 {
-  for(const Told& now :
-      told_at("", "h=1e-20", "from_top=1e-12 c=0.4", "zeta=1e-8 c=1e-12", "h=0.5 c=50 k=1 g=1e-70"))
+  for(const Told& now : told_at("", "h=1e-20", "from_top=1e-12 c=0.4", "zeta=1e-8 c=1e-12",
+                                "h=0.5 c=50 k=1 g=1e-70", "h=0.99 c=50 k=0.5"))
   {
     const Fifty c_ = c.fifty(), k_ = k.fifty(), g_ = g.fifty(), second = sqrt(2 * g_ * c_);
     const Energy<Fifty> e = asked.fifty(c_, k_ * k_, g_);

@@ -339,7 +339,8 @@ CHECK_THAT(
             == within_relative(e.h * over_h, 4e-15, "ten ulps, and four roundings of the ball"));
     }
   }
-  for(const Told& now : told_at("psi=1e-12", "psi=1e-80rad c=0.5", "h=0.999999 k=0.05"))
+  for(const Told& now :
+      told_at("psi=1e-12", "psi=1e-80rad c=0.5", "h=0.999999 k=0.05", "c=50 k=0.5 Phi=170"))
   {
     const Ball<Fifty> body{a.fifty(), c.fifty(), k.fifty()};
     const Energy<Fifty> e = energy_asked();

@@ -92,7 +92,8 @@ double excess(double c, double k, const Energy<double>& e)
   require(e);
   if(!(e.from_top > 0 && c <= 100 * k))
     throw std::domain_error("the excess is of a ball that rocks, with c ≤ 100 k");
-  const double of_pendulum = pendulum_excess(e), of_ball = mean_excess(c, k, e);
+  const double of_pendulum = pendulum_excess(e), mean = mean_excess(c, k, e);
+  const double of_ball = mean >= 0 ? mean : rest(c, k, e, 1., 0.) / (k * pendulum_quarter(e));
   return of_pendulum + of_ball + of_pendulum * of_ball;
 }
 
