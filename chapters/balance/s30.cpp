@@ -55,14 +55,14 @@ $\mathfrak A = n:(1+K)$, as (2) has it exactly, it would start at $n$, but its s
 need.
 
 ::: margin
-Today: a line spectrum. Beyond the second order every line $j\mu + k\lambda$ is there.
+Today: a line spectrum. Beyond the second order there are more lines, at sums $j\mu + k\lambda$.
 :::
 
 ## The program
 
 The motion by the full equations is weighed with a window over 16 swings of the beam to and fro, and taken
 apart by Fourier's integral. To keep the lines apart μ is 5 and not 3, where two of them would coincide; and
-the pans are light, so that none of the swing is handed on to Q meanwhile.
+the pans are light, so that hardly any of the swing is handed on to Q meanwhile.
 */
 
 const auto lambda = real("lambda", 1, Unit{"1/s"}, closed(0.2, 5), "frequency of the beam, λ = √(2g/f)");
@@ -122,7 +122,9 @@ TELL
 {
   const double square = mu / lambda * (mu / lambda);
   require(std::abs(square - 4) >= 1, "mu", "such that μμ differs from 4λλ by λλ or more");
-  require(mu >= 1.1 * lambda && mu <= 20 * lambda, "mu", "from 1.1 lambda to 20 lambda");
+  require(mu >= 1.3 * lambda && mu <= 20 * lambda, "mu", "from 1.3 lambda to 20 lambda");
+  require(std::abs(mu - 3 * lambda) >= 0.3 * lambda, "mu",
+          "such that mu - lambda and 2 lambda are 0.3 lambda apart");
   const Release r = release();
   const double K = K_of(r);
   tell("K", K, "K");
