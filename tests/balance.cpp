@@ -145,6 +145,12 @@ TEST_CASE("a course is the motion at equal steps")
         == within(oracle(example, start, 6).at.theta, 1e-12, "some thirty steps, each to rounding"));
 }
 
+TEST_CASE("small swings keep together what a slight change puts apart, wild ones do not")
+{
+  CHECK(parting(example, released(1e-6, 1e-6, -1e-6), 6) == between(1, 1.01, "each its own cosine"));
+  CHECK(parting({25, 400, 0.05, 0.45}, released(0, 0.35, -0.35), 20) > 1e6);
+}
+
 TEST_CASE("seen in a mirror the balance moves as its image does")
 {
   const State<> start{{0.3, -0.5, 0.7}, {0.1, 1.0, -1.0}};

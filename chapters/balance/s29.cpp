@@ -51,7 +51,8 @@ start, with the determinant $(1-K^2)^2$; it has no elements that lead from one p
 
 ## The program
 
-What (1) leaves at given constants, and the motion of both pans by the full equations.
+What (1) leaves at given constants, and the motion of both pans by the full equations. Where a slight change
+of the start would grow more than ten thousand times until $t$, the program refuses.
 */
 
 const auto lambda = real("lambda", 1, Unit{"1/s"}, closed(0.1, 10), "frequency of the beam, λ = √(2g/f)");
@@ -77,6 +78,8 @@ TELL
   require(std::abs(4 * mu * mu - lambda * lambda) >= 0.1 * lambda * lambda, "lambda",
           "such that 4μμ differs from λλ by a tenth of it");
   require(std::abs(1 + K()) > 1e-3 && std::abs(1 - K()) > 1e-3, "m", "such that K is neither 1 nor -1");
+  require(parting(given(), released(m, n, 0), t) <= 1e4, "t",
+          "so short that a slight change does not grow ten thousand times");
   tell("K", K(), "K");
   tell("of_P", 1 + K(), "1 + K, by which n is divided to give 𝔄 at α = 90°");
   tell("A", n / (1 + K()), degrees, "𝔄, by I and III");
@@ -154,6 +157,13 @@ CHECK_THAT(
     const double off = (1e-15 + 1e-15 * mu * t) * double(am) * (1 + t / mu);
     CHECK(now.value("theta_second", degrees) == within(F, off, "phases rounded"));
   }
+}
+
+CHECK_THAT(
+    "where neighbouring motions part too far the program refuses, but not where the swings are small")
+{
+  CHECK(refused_at("beta=0.01 rho=0.45 m=20 n=20 t=200"));
+  CHECK(!refused_at("beta=0.01 rho=0.45 m=1 n=0.02 t=200"));
 }
 
 CHECK_THAT("what Q has beyond (A) goes with P's swing, at a given beam, and grows")

@@ -90,6 +90,8 @@ TELL
   require(time <= 3000, "m", "such that the exchange takes 3000 s at the most");
   require(time >= 1.5 * meanwhile(), "m", "such that it takes six swings of the beam to and fro");
   const Release r = release();
+  require(parting(given(), {r.at, {}}, std::max(double(t), time)) <= 1e4, "n",
+          "so small that a slight change does not grow ten thousand times");
   const Angles<> at = euler(r, double(t)), start = euler_start(r), own = euler_corrected(r, double(t));
   const Angles<> full = t == 0 ? r.at : Motion(given(), {r.at, {}}).to(t).at;
   auto& rows = table("pans", "The two pans, in degrees",
@@ -236,6 +238,13 @@ CHECK_THAT("at T₃ the pans have changed places, in GSL's motion too; in the fi
       CHECK(Fifty(there.Q) == within(Q, 1.5 * stray(), "the same"));
     }
   }
+}
+
+CHECK_THAT(
+    "where neighbouring motions part too far the program refuses, but not where the swings are small")
+{
+  CHECK(refused_at("lambda=2 mu=20 beta=0.05 rho=0.45 m=1 n=10 n1=-10 t=200"));
+  CHECK(!refused_at("lambda=2 mu=20 beta=0.05 rho=0.45 m=1 n=0.1 n1=-0.1 t=200"));
 }
 
 CHECK_THAT("pans that start alike go on alike, but for what the beam stirs in both")

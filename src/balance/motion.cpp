@@ -149,6 +149,25 @@ std::vector<State<>> course(const Balance<>& b, const State<>& start, double unt
   return states;
 }
 
+double parting(const Balance<>& b, const State<>& start, double t)
+{
+  const double slight = 1e-9;
+  State<> beside = start;
+  beside.at.omega += slight;
+  beside.at.eta += slight;
+  beside.at.theta += slight;
+  Motion one(b, start), other(b, beside);
+  double most = 1;
+  for(int k = 1; k <= 100; ++k)
+  {
+    const Angles<>& x = one.to(t * k / 100).at;
+    const Angles<>& y = other.to(t * k / 100).at;
+    most = std::max({most, std::abs(x.omega - y.omega) / slight, std::abs(x.eta - y.eta) / slight,
+                     std::abs(x.theta - y.theta) / slight});
+  }
+  return most;
+}
+
 State<> runge_kutta(const Balance<>& b, const State<>& start, double t, int steps)
 {
   if(steps < 1)

@@ -57,6 +57,11 @@ private:
 /// @throws std::domain_error and std::runtime_error as Motion does. Precondition: parts ≥ 1, until ≥ 0
 std::vector<State<>> course(const Balance<>& b, const State<>& start, double until, int parts);
 
+/// How many times a slight change of the three angles at the start has grown until the time t, in the angle where it
+/// has grown most, the greatest of 100 moments equally far apart: at least 1. By as many times what is rounded in the
+/// beginning is magnified. @throws std::domain_error and std::runtime_error as Motion does. Precondition: t ≥ 0
+double parting(const Balance<>& b, const State<>& start, double t);
+
 /// The state at the time t by GSL's rk8pd, which keeps its estimate of each step's error below `tolerance`, absolutely for
 /// small numbers and relatively for great ones.
 /// @throws std::domain_error as Motion does, for 1e-15 ≤ tolerance ≤ 0.1; std::runtime_error if GSL gives up
