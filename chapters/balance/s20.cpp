@@ -37,7 +37,7 @@ the slower was the stronger; in the velocity, by the factors
 
 $$ \frac{\mu-\lambda}{2\mu-\lambda} \;<\; \tfrac12 \;<\; \frac{\mu+\lambda}{2\mu+\lambda}, \tag{A} $$
 
-the faster is, as long as $\lambda < 2\mu$. That is why $K$ comes into the angles of {{sec balance.26}} with
+the faster is, and it remains so, whatever the signs, as long as $\lambda < \mu\sqrt2$. That is why $K$ comes into the angles of {{sec balance.26}} with
 one sign and into the velocities with the other.
 
 ::: margin
@@ -310,13 +310,18 @@ CHECK_THAT("in the figure the errors are of the order that the step has, and of 
 }
 
 CHECK_THAT(
-    "(A): in the velocity the faster tone is the stronger for every beam slower than 2μ, and not beyond")
+    "(A): in the velocity the faster tone is the stronger for every beam slower than μ√2, and not beyond")
 {
-  for(const Rational& r : {Rational(1, 1000), Rational(1, 3), Rational(1), Rational(19, 10)})  // λ:μ
+  const auto slower = [](const Rational& r) {  // its strength, without the sign
+    return r < Rational(1) ? (1 - r) / (2 - r) : (r - 1) / (2 - r);
+  };
+  for(const Rational& r : {Rational(1, 1000), Rational(1, 3), Rational(1), Rational(141, 100)})  // λ:μ
   {
+    CHECK(slower(r) < (1 + r) / (2 + r));
     CHECK((1 - r) / (2 - r) < Rational(1, 2));
     CHECK((1 + r) / (2 + r) > Rational(1, 2));
     CHECK(1 / (2 - r) > 1 / (2 + r));
   }
-  CHECK((1 - Rational(3)) / (2 - Rational(3)) > (1 + Rational(3)) / (2 + Rational(3)));
+  for(const Rational& r : {Rational(142, 100), Rational(19, 10)})
+    CHECK(slower(r) > (1 + r) / (2 + r));
 }
