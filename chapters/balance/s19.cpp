@@ -119,8 +119,8 @@ TELL
 
 /*!
 From the state given, the pan P has the amplitude {{A|6}} and the phase {{alpha|deg2}}, the pan Q {{B|6}} and
-{{beta|deg2}}, the beam {{C|6}} and {{gamma|deg2}}. The determinant is {{determinant|8}} μ: the problem is as
-well posed as can be.
+{{beta|deg2}}, the beam {{C|6}} and {{gamma|deg2}}. The determinant is {{determinant|8}} μ: the problem is
+well posed.
 
 ::: figure balance-19
 alt: By how many per cent the amplitude of the pan exceeds its release, against the phase of the beam. For a

@@ -1,5 +1,6 @@
 #include "balance/euler.hpp"
 #include "balance/instrument.hpp"
+#include "balance/motion.hpp"
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
 
@@ -155,7 +156,12 @@ The three cases beside each other, with the full equations.
 
 const auto tame = [] {  // the full equations can be followed, and the beam has not fallen too far
   const Quantities q = quantities_of(with(-std::abs(c)));
-  return q.mu * t <= 300 && q.beta <= 3 && std::abs(m) * std::cosh(q.kappa * t) <= 1;
+  if(q.mu * t > 300 || q.beta > 3 || std::abs(m) * std::cosh(q.kappa * t) > 1)
+    return false;
+  for(const double depth : {std::abs(c), 0., -std::abs(c)})
+    if(parting(numbers_of(with(depth)), released(m, n, n1), t) > 1e4)
+      return false;  // neighbouring motions part
+  return true;
 };
 
 TELL
