@@ -37,8 +37,8 @@ the slower was the stronger; in the velocity, by the factors
 
 $$ \frac{\mu-\lambda}{2\mu-\lambda} \;<\; \tfrac12 \;<\; \frac{\mu+\lambda}{2\mu+\lambda}, \tag{A} $$
 
-the faster is, and it remains so, whatever the signs, as long as $\lambda < \mu\sqrt2$. That is why $K$ comes into the angles of {{sec balance.26}} with
-one sign and into the velocities with the other.
+the faster is, and it remains so, whatever the signs, as long as $\lambda < \mu\sqrt2$. That is why $K$ comes
+into the angles of {{sec balance.26}} with one sign and into the velocities with the other.
 
 ::: margin
 Today: the velocities belong to the state; an equation of the second order is one of the first for both.

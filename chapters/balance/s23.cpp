@@ -58,8 +58,8 @@ averaged quartic Lagrangian.
 ## The program
 
 Formulae (A) to (C) are {{api balance::lone_pan}} and {{api balance::second_order}}; beside them the full
-equations are integrated. Where a slight change of the start would grow more than ten thousand times until $t$,
-as with light beams on long strings, the program refuses.
+equations are integrated. Where a slight change of the start would grow more than ten thousand times until
+$t$, as with light beams on long strings, the program refuses.
 */
 
 const auto lambda = real("lambda", 1, Unit{"1/s"}, closed(0.1, 5), "frequency of the beam, λ = √(2g/f)");

@@ -35,8 +35,8 @@ Today: a 1 : 2 resonance. Its divisor, $\mu - 2\lambda$, does not occur in Euler
 
 ## The program
 
-The second order is that of {{api balance::second_order}}; beside it the full equations are integrated. Where a
-slight change of the start would grow more than ten thousand times until $t$, the program refuses.
+The second order is that of {{api balance::second_order}}; beside it the full equations are integrated. Where
+a slight change of the start would grow more than ten thousand times until $t$, the program refuses.
 */
 
 const auto lambda = real("lambda", 1, Unit{"1/s"}, closed(0.1, 10), "frequency of the beam, λ = √(2g/f)");

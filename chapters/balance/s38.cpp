@@ -197,8 +197,8 @@ A pan's share is reckoned here as if $C$ stood still. What its swing has in comm
 put to all else, which can so be less than nothing.
 
 So the scene that Bernoulli had seen ({{sec balance.01}}) plays before our eyes, and the beam all the while
-turns by less than an eighth of a degree. By the approximation in {{eq D}} it would take {{estimate|4}} s, by the cubic it takes
-{{time|6}} s.
+turns by less than an eighth of a degree. By the approximation in {{eq D}} it would take {{estimate|4}} s, by
+the cubic it takes {{time|6}} s.
 
 ::: figure balance-38
 alt: Above, the swings of P: wide, dying away to rest at sixteen seconds, wide again at thirty-one. Below,
