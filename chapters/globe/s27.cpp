@@ -270,6 +270,8 @@ CHECK_THAT(
   }
   for(const Told& now : told_at("h=41"))
     CHECK(now.value("lambda") == infinite("the pressure is lost"));
+  for(const Told& now : told_at("c=2 k=0.1"))
+    CHECK(now.value("lambda_none") == infinite("the pressure is lost with less energy"));
 }
 
 CHECK_THAT("where the pressure is told to be lost it vanishes, and with less energy nowhere")
