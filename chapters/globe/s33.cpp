@@ -418,7 +418,7 @@ CHECK_THAT("the table's errors are those of the formulae in fifty digits")
     {
       const Asked it = asked_now();
       const Ball<Fifty> ball{it.ball.a, row.at("c"), it.ball.k};
-      const Fifty b = sqrt(bb(ball)), n_ = n.fifty(), ac = ball.a * ball.c, cc = ball.c * ball.c;
+      const Fifty b = sqrt(bb(ball)), ac = ball.a * ball.c, cc = ball.c * ball.c;
       const Fifty fast = sqrt(2 * it.nn), first = 2 * ac / b + b / it.nn;
       const Fifty second = 3 * b / (2 * it.nn * it.nn) + 2 * ac / (b * it.nn) - 2 * ac * ac / (b * b * b);
       const Fifty turn = oracle::rolling_quarter(ball, it.e) * fast;
