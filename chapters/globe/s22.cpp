@@ -310,7 +310,7 @@ CHECK_THAT("(B) is the inverse of (A) but for the third order, and (C) the turn 
     const Fifty& q = e1;  // both small quantities alike
     const Fifty nn = 1 / e1;
     const Fifty T = oracle::smooth_quarter(sqrt(q), 1, energy(Fifty(nn / 2))) * sqrt(2 * nn) / exact::pi();
-    const Fifty nn = 1 / e1;
+    CHECK(T - 1 - q / 4 - 1 / (2 * nn)
           == within(9 / (16 * nn * nn) + q / (8 * nn) - 3 * q * q / 64, 2 * double(e1 * e1 * e1),
                     "the third order"));
   }
