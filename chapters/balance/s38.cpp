@@ -918,7 +918,7 @@ CHECK_THAT("beyond the critical swing the exchange stops short, below it takes l
     if(k < 1)
     {
       CHECK(now.value("slower")
-            == within_relative(1 / mean(1, sqrt(1 - k * k)), 1e-11, "k near 1 magnifies"));
+            == within_relative(1 / mean(1, sqrt((1 - k) * (1 + k))), 1e-11, "k near 1 magnifies"));
       CHECK(now.value("trapped", percent) == within(1, 0, "complete"));
     }
     else

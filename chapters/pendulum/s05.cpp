@@ -5,6 +5,7 @@
 #include "pendulum/equation.hpp"
 #include "pendulum/plate.hpp"
 #include "pendulum/scene.hpp"
+#include "pendulum/scene_judge.hpp"
 #include "pendulum/steps.hpp"
 #include "swing/motion.hpp"
 #include "swing/oracle.hpp"
@@ -178,9 +179,7 @@ The motion of the rod in its true time, let go at the turning point. Bring ζ ne
 
 TELL
 {
-  using Judge = swing::oracle::Motion;
-  const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
-  const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
+  const auto judge = pendulum::judge_of(swing_.zeta.fifty(), swing_.eta.fifty());
   const Fifty tau = tau_as_given();
   const Place start{0, 2 * per_second() * std::sin(swing_.zeta / 2)};
   std::vector<Method> ways;
@@ -222,20 +221,15 @@ CHECK_THAT("the scene shows the motion itself, in its true time")
 {
   for(const Told& now : told_at("", "zeta=150 a=0.25", "eta=1e-6"))
   {
-    const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
-    using Judge = swing::oracle::Motion;
-    const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
     const Fifty unit = sqrt(pendulum::equivalent_length(Fifty(a), Fifty(k)) / (2 * Fifty(g)));
-    const double slack = 1e-15 * static_cast<double>(4 * judge.quarter());
-    const char* const why = "the time is rounded three times, and no pendulum is faster than 2";
+    const pendulum::Scene_judge judge(swing_.zeta.fifty(), swing_.eta.fifty(), unit);
     for(const auto& frame : now.points("swing", 9))
     {
-      CHECK(frame.value("t")
-            == between(0, 4.0001 * static_cast<double>(unit * judge.quarter()), "one period"));
-      const Fifty phi = judge.angle(Fifty(frame.at("t")) / unit + judge.quarter());
-      CHECK(frame.value("phi") == within(phi, slack, why));
-      CHECK(frame.value("x") == within(sin(phi), slack, why));
-      CHECK(frame.value("y") == within(-cos(phi), slack, why));
+      const Fifty phi = judge.angle(frame.at("t"));
+      CHECK(frame.value("t") == between(0, judge.last(), "one period"));
+      CHECK(frame.value("phi") == within(phi, judge.slack(), judge.because));
+      CHECK(frame.value("x") == within(sin(phi), judge.slack(), judge.because));
+      CHECK(frame.value("y") == within(-cos(phi), judge.slack(), judge.because));
     }
   }
 }

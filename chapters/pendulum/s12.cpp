@@ -3,6 +3,7 @@
 #include "edition/section.hpp"
 #include "exact/series.hpp"
 #include "pendulum/scene.hpp"
+#include "pendulum/scene_judge.hpp"
 #include "pendulum/series.hpp"
 #include "pendulum/tail.hpp"
 #include "swing/oracle.hpp"
@@ -199,20 +200,15 @@ CHECK_THAT("the scene shows the motion itself, in its true time")
 {
   for(const Told& now : told_at("", "eta=60", "eta=1e-6"))
   {
-    const bool low = swing_.zeta < swing_.eta;  // the smaller of the two is known to more digits
-    using Judge = swing::oracle::Motion;
-    const Judge judge = low ? Judge::from_zeta(swing_.zeta.fifty()) : Judge::from_eta(swing_.eta.fifty());
     const Fifty unit = 1 / exact::pi();
-    const double slack = 1e-15 * static_cast<double>(4 * judge.quarter());
-    const char* const why = "the time is rounded three times, and no pendulum is faster than 2";
+    const pendulum::Scene_judge judge(swing_.zeta.fifty(), swing_.eta.fifty(), unit);
     for(const auto& frame : now.points("swing", 9))
     {
-      CHECK(frame.value("t")
-            == between(0, 4.0001 * static_cast<double>(unit * judge.quarter()), "one period"));
-      const Fifty phi = judge.angle(Fifty(frame.at("t")) / unit + judge.quarter());
-      CHECK(frame.value("phi") == within(phi, slack, why));
-      CHECK(frame.value("x") == within(sin(phi), slack, why));
-      CHECK(frame.value("y") == within(-cos(phi), slack, why));
+      const Fifty phi = judge.angle(frame.at("t"));
+      CHECK(frame.value("t") == between(0, judge.last(), "one period"));
+      CHECK(frame.value("phi") == within(phi, judge.slack(), judge.because));
+      CHECK(frame.value("x") == within(sin(phi), judge.slack(), judge.because));
+      CHECK(frame.value("y") == within(-cos(phi), judge.slack(), judge.because));
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "edition/section.hpp"
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/euler.hpp"
+#include "tautochrone/swing.hpp"
 
 SECTION(tautochrone, 12, "The letters, and k from an experiment")
 
@@ -159,18 +160,6 @@ The experiment is made again in fifty digits, from its time; the width of the sw
 the circle.
 */
 
-Fifty circle(const Fifty& width)  // T/T₀ − 1, by the series of the odd and even numbers
-{
-  const Fifty cc = pow(sin(width / 2), 2);
-  Fifty sum = 0, term = 1;
-  for(int n = 1; n < 60; ++n)
-  {
-    term *= cc * (2 * n - 1) * (2 * n - 1) / (4 * n * n);
-    sum += term;
-  }
-  return sum;
-}
-
 Fifty k_of_time(const Fifty& T)  // (1), Euler's clock: T = π√(2f)
 {
   const Fifty f = T * T / (2 * pow(exact::pi(), 2));
@@ -184,7 +173,7 @@ CHECK_THAT(
                                 "a=1e40 k=5e40 error=0 phi0=1e-8"))
   {
     const Fifty k_ = k.fifty(), a_ = a.fifty(), T = exact::pi() * sqrt(2 * (a_ + k_ * k_ / a_));
-    const Fifty T_found = T * (1 + error.fifty()) * (1 + circle(phi0.fifty()));
+    const Fifty T_found = T * (1 + error.fifty()) * (1 + circle_excess(phi0.fifty()));
     const char* const why = "at most ten roundings";
     CHECK(now.value("CD", metres) == within_relative(k_ * k_ / a_, 1e-15, why));
     CHECK(now.value("delta") == within_relative(T / (exact::pi() * sqrt(2 * a_)) - 1, 2e-15, why));
@@ -200,7 +189,7 @@ CHECK_THAT("what is lost is nearly (A), where it is small")
       told_at("", "error=1e-9 phi0=0.01", "k=3 a=2 error=-1e-4 phi0=2", "k=1e-6 error=1e-20 phi0=1e-9"))
   {
     const Fifty k_ = k.fifty(), a_ = a.fifty(), T = exact::pi() * sqrt(2 * (a_ + k_ * k_ / a_));
-    const Fifty width = circle(phi0.fifty()), eps = error.fifty();
+    const Fifty width = circle_excess(phi0.fifty()), eps = error.fifty();
     const Fifty both = k_of_time(T * (1 + eps) * (1 + width)) / k_ - 1,
                 one = k_of_time(T * (1 + width)) / k_ - 1;
     const double next = 2e-13 + 3 * std::abs(double(both)) + 3 * std::abs(double(one))

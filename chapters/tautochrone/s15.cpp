@@ -1,9 +1,9 @@
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
-#include "tautochrone/thread.hpp"
 
 SECTION(tautochrone, 15, "The place Z where the force must act")
 
@@ -111,11 +111,8 @@ double reckoned_short(double ratio, double phi0_)  // 1 − T/T by (B), H being 
 TELL
 {
   const double ratio = k / a;
-  require(ratio >= 1e-9 && ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
   const auto which = static_cast<Cheeks>(int(cheeks));
-  require(phi0 < largest_amplitude(which, ratio), "phi0", "less than where the thread is all wound");
-  require(phi <= phi0, "phi", "at most phi0");
-  const auto at = on_cheeks<double>(which, ratio, phi0, phi);
+  const auto at = asked_posture(which, ratio, phi0, phi);
   tell("GH", a * GH(at, ratio), metres, "of the centre of oscillation for the axis M, (3)");
   tell("GZ", a * GZ(at, ratio), metres, "of the place where the force must act, (2)");
   tell("nearer", nearer(at, ratio), percent, "by how much GZ is smaller than GH, (A)");

@@ -1,8 +1,8 @@
 #include "edition/section.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
-#include "tautochrone/thread.hpp"
 
 SECTION(tautochrone, 16, "The force that does what gravity does")
 
@@ -78,11 +78,8 @@ double pressure(const Posture<double>& at,
 TELL
 {
   const double ratio = k / a;
-  require(ratio >= 1e-9 && ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
   const auto which = static_cast<Cheeks>(int(cheeks));
-  require(phi0 < largest_amplitude(which, ratio), "phi0", "less than where the thread is all wound");
-  require(phi <= phi0, "phi", "at most phi0");
-  const auto at = on_cheeks<double>(which, ratio, phi0, phi);
+  const auto at = asked_posture(which, ratio, phi0, phi);
   tell("across", at.sin, "M sin φ, the weight's part across the thread, over the weight");
   tell("P", force(at, ratio), "that of it which moves G, (3), over the weight");
   tell("R", moment(at, ratio) / at.r, "and that which is borne at M, (A), over the weight");

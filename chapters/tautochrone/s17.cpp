@@ -1,8 +1,8 @@
 #include "edition/section.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
-#include "tautochrone/thread.hpp"
 
 SECTION(tautochrone, 17, "The equation of motion and its integral")
 
@@ -82,11 +82,8 @@ double doubled_acceleration(const Posture<double>& at, double ratio,
 TELL
 {
   const double ratio = k / a;
-  require(ratio >= 1e-9 && ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
   const auto which = static_cast<Cheeks>(int(cheeks));
-  require(phi0 < largest_amplitude(which, ratio), "phi0", "less than where the thread is all wound");
-  require(phi <= phi0, "phi", "at most phi0");
-  const auto at = on_cheeks<double>(which, ratio, phi0, phi);
+  const auto at = asked_posture(which, ratio, phi0, phi);
   tell("C", a * on_cheeks<double>(which, ratio, phi0, 0).to_rise, metres, "the constant of (4)");
   tell("left", a * at.to_rise, metres, "what the integral leaves of it");
   tell("turning", 2 * std::sqrt(g) / std::sqrt(a) * std::sqrt(turning2(at, ratio)), Unit{"1/s"},

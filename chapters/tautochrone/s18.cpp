@@ -1,10 +1,10 @@
 #include "edition/section.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/curve.hpp"
 #include "tautochrone/member.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
-#include "tautochrone/thread.hpp"
 
 SECTION(tautochrone, 18, "The speed at every height")
 
@@ -71,12 +71,8 @@ double part_of_fall(double ratio, double r)  // MG : MH, (5)
 TELL
 {
   const double ratio = k / a;
-  require(ratio >= 1e-9 && ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
   const auto which = static_cast<Cheeks>(int(cheeks));
-  require(phi0 < largest_amplitude(which, ratio), "phi0", "less than where the thread is all wound");
-  require(phi <= phi0, "phi", "at most phi0");
-  const auto at = on_cheeks<double>(which, ratio, phi0, phi),
-             below = on_cheeks<double>(which, ratio, phi0, 0);
+  const auto at = asked_posture(which, ratio, phi0, phi), below = on_cheeks<double>(which, ratio, phi0, 0);
   tell("c", a * below.to_rise, metres, "the height of the rise");
   tell("to_rise", a * at.to_rise, metres, "c − x, what is left of it");
   tell("v", a * speed_height(at, ratio), metres, "the height due to the speed of G, (5)");

@@ -90,6 +90,16 @@ Fifty polished(const std::array<Fifty, 4>& c, Fifty s)
   return s;
 }
 
+using Solver = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>;
+
+/// The modes by Eigen, which for masses that are none gives ordinary wrong numbers and "success": so they are asked first.
+Solver solved(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass, int wanted)
+{
+  if(!mass.allFinite() || Eigen::LLT<Eigen::MatrixXd>(mass).info() != Eigen::Success)
+    throw std::domain_error("no such balance: its matrix of masses is not positive definite");
+  return Solver(stiffness, mass, wanted);
+}
+
 /// The squares of the frequencies with η = ϑ, in fifty digits, the least first.
 std::vector<Fifty> squares(const Suspended& s)
 {
@@ -112,12 +122,7 @@ std::vector<Fifty> squares(const Suspended& s)
       mass(i, j) = static_cast<double>(m.mass[x][y]) / scale[x] / scale[y];
     }
   }
-  // Eigen's solver gives ordinary wrong numbers and "success" for masses that are none
-  const Eigen::LLT<Eigen::MatrixXd> factor(mass);
-  if(!mass.allFinite() || factor.info() != Eigen::Success)
-    throw std::domain_error("no such balance: its matrix of masses is not positive definite");
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass,
-                                                                         Eigen::EigenvaluesOnly);
+  const Solver solver = solved(stiffness, mass, Eigen::EigenvaluesOnly);
   const auto polynomial = characteristic(m, first);
   std::vector<Fifty> found;
   for(int i = 0; i < n; ++i)
@@ -304,15 +309,16 @@ double handed_on(const Suspended& s, double longer)
   const Eigen::MatrixXd unit = scale.asDiagonal() * mass * scale.asDiagonal();
   const Eigen::MatrixXd pull = stiffness.cwiseProduct(scale.cwiseAbs2()).asDiagonal();
   const int n = s.movable ? 4 : 3;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(pull.bottomRightCorner(n, n),
-                                                                         unit.bottomRightCorner(n, n));
+  const Eigen::MatrixXd moving = unit.bottomRightCorner(n, n);
+  const Solver solver =
+      solved(pull.bottomRightCorner(n, n), moving, Eigen::ComputeEigenvectors | Eigen::Ax_lBx);
   if(solver.info() != Eigen::Success || !(solver.eigenvalues()[0] > 0))
     throw std::domain_error("no such balance: a mode topples");
   double sum = 0;
   for(int k = 0; k < n; ++k)
   {
     const Eigen::VectorXd shape = solver.eigenvectors().col(k);
-    const double of_P = unit.bottomRightCorner(n, n).row(n - 2).dot(shape) / scale[2];
+    const double of_P = moving.row(n - 2).dot(shape) / scale[2];
     sum += std::abs(shape[n - 1] * scale[3] * of_P);
   }
   return sum;

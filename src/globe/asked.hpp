@@ -9,18 +9,6 @@
 namespace globe
 {
 
-/// A number as the program computes with it, from fifty digits: both members of each pair rounded once.
-/// @{
-inline Energy<double> rounded(const Energy<exact::Fifty>& e)
-{
-  return {static_cast<double>(e.h), static_cast<double>(e.from_top)};
-}
-inline Place<double> rounded(const Place<exact::Fifty>& p)
-{
-  return {static_cast<double>(p.s), static_cast<double>(p.c)};
-}
-/// @}
-
 /// The options --h, --from_top and --zeta: the last that is given and not 0 counts, from_top before h.
 struct Asked_energy
 {

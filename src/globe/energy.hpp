@@ -149,4 +149,16 @@ struct Turned
       from_top;  ///< π − |Φ| of a ball that rocks, of one that turns over the angle to the nearest top: 0 … π
 };
 
+/// A number as the program computes with it, from fifty digits: both members of each pair rounded once.
+/// @{
+inline Energy<double> rounded(const Energy<exact::Fifty>& e)
+{
+  return {static_cast<double>(e.h), static_cast<double>(e.from_top)};
+}
+inline Place<double> rounded(const Place<exact::Fifty>& p)
+{
+  return {static_cast<double>(p.s), static_cast<double>(p.c)};
+}
+/// @}
+
 }  // namespace globe

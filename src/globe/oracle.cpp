@@ -114,11 +114,6 @@ Place<Fifty> put_right(const Run& run, const Energy<Fifty>& e, const Turned& nea
   return run.place(y + (tau - run.to(y)) / run.rate(y));
 }
 
-Energy<double> rounded(const Energy<Fifty>& e)
-{
-  return {double(e.h), double(e.from_top)};
-}
-
 }  // namespace
 
 Fifty smooth_time(const Fifty& c, const Fifty& k, const Energy<Fifty>& e, const Place<Fifty>& place)

@@ -107,4 +107,16 @@ Accelerations accelerations(const exact::Laurent<Fifty>& r, const Fifty& k, cons
   return {turning, -aside * s - down * c, aside * c - down * s};
 }
 
+Fifty circle_excess(const Fifty& phi0)
+{
+  const Fifty cc = pow(sin(phi0 / 2), 2), least("1e-50");
+  Fifty sum = 0, term = 1;
+  for(int n = 1; n == 1 || term > sum * least; ++n)
+  {
+    term *= cc * (2 * n - 1) * (2 * n - 1) / (4 * n * n);
+    sum += term;
+  }
+  return sum;
+}
+
 }  // namespace tautochrone
