@@ -2,8 +2,6 @@
 /// What the frames of scene.hpp are judged by: the motion in fifty digits.
 #pragma once
 
-#include <utility>
-
 #include "exact/fifty.hpp"
 #include "swing/oracle.hpp"
 
@@ -22,9 +20,8 @@ class Scene_judge
 {
 public:
   /// Of the motion from rest at Φ = ζ = π − η.
-  Scene_judge(const exact::Fifty& zeta, const exact::Fifty& eta, exact::Fifty unit)
-      : judge_(judge_of(zeta, eta)), unit_(std::move(unit)),
-        slack_(1e-15 * static_cast<double>(4 * judge_.quarter()))
+  Scene_judge(const exact::Fifty& zeta, const exact::Fifty& eta, const exact::Fifty& unit)
+      : judge_(judge_of(zeta, eta)), unit_(unit), slack_(1e-15 * static_cast<double>(4 * judge_.quarter()))
   {
   }
 
