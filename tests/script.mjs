@@ -12,6 +12,7 @@ const scratch = mkdtempSync(path.join(tmpdir(), 'euler-'));
 after(() => rmSync(scratch, { recursive: true }));
 const script = path.join(scratch, 'euler');
 const log = path.join(scratch, 'log');
+const words = path.join(scratch, 'words');
 copyFileSync(original, script);
 writeFileSync(path.join(scratch, 'CMakePresets.json'), '{}');
 for (const folder of ['bin', 'chapters/pendulum', 'figures', 'build/bin']) mkdirSync(path.join(scratch, folder), { recursive: true });
@@ -24,7 +25,7 @@ function command(name, text) {
   writeFileSync(file, `#!/usr/bin/env bash\n${text}\n`);
   chmodSync(file, 0o755);
 }
-command('bin/cmake', `echo begin >>${log}; sleep 0.5; echo end >>${log}`);
+command('bin/cmake', `echo "$@" >>${words}; echo begin >>${log}; sleep 0.5; echo end >>${log}`);
 command('bin/apt-get', 'exit 1');
 command('bin/dpkg-query', 'for p in "$@"; do echo -n "$p=installed "; done');
 command('bin/xdg-open', 'exit 1');
@@ -43,6 +44,7 @@ function refuses(words, ...said) {
 
 test('what is wrong is refused in one line, and nothing is built for it', () => {
   refuses(['book', 'now'], '"now" is too much');
+  refuses(['book', 'live', 'now'], '"now" is too much');
   refuses(['test', 'clang', 'now'], '"now" is too much');
   refuses(['test', 'gcc'], '"gcc"', 'default, sanitize, clang');
   refuses(['open', 'it'], '"it" is too much');
@@ -69,6 +71,23 @@ test('a program is given all its words, and only what it says is on standard out
   const r = run('run', 'pendulum', '11', '--zeta', '60');
   assert.equal(r.stdout, 'told --zeta 60\n');
   assert.equal(r.status, 0);
+});
+
+test('live pages are asked for, kept, and missed where they could not be made', () => {
+  const asked = () => readFileSync(words, 'utf8').split('\n').filter((line) => line.startsWith('--preset'));
+  mkdirSync(path.join(scratch, 'build/book/html/live'), { recursive: true });
+  writeFileSync(path.join(scratch, 'build/book/made-with.json'), '{\n  "live pages": "none here: no compiler"\n}\n');
+  const without = run('book', 'live');
+  assert.equal(without.status, 1);
+  assert.match(without.stdout, /^The book: /);
+  assert.match(without.stderr, /^euler: its pages do not run themselves: no compiler$/m);
+  assert.equal(asked().at(-1), '--preset default -DEDITION_LIVE=ON');
+  writeFileSync(path.join(scratch, 'build/book/html/live/live.js'), '');
+  rmSync(words);
+  assert.equal(run('book', 'live').status, 0);
+  assert.equal(run('book').status, 0);
+  assert.equal(run('run', 'pendulum', '11').status, 0);
+  assert.deepEqual(asked(), ['--preset default -DEDITION_LIVE=ON'], 'configured once, and again after it had failed');
 });
 
 test('the book is opened from anywhere', () => {
