@@ -17,6 +17,12 @@ set label "{/:Italic B}" at B_max + 0.03, -L_max textcolor linetype 2
 set xrange [-0.12:1.05]
 set yrange [-1.14:0.08]
 # A M P G Q S C D H
+name(i) = word("A M P G Q S C D H", i)
+dx(i) = real(word("0.9 1.1 1.1 -0.2 1.1 1.1 -1.3 1.2 1.3", i))
+dy(i) = real(word("0.6 0.5 0.5 1.5 0.6 0.6 0.2 0 -0.1", i))
+do for [i = 1:9] {
+  set label sprintf("{/:Italic %s}", name(i)) at X[i], Y[i] center offset dx(i), dy(i) textcolor linetype 7
+}
 set arrow from X[1], Y[1] to X[8], Y[8] nohead linetype 6
 set arrow from X[3], Y[3] to X[2], Y[2] nohead linetype 6 dashtype 2
 set arrow from X[5], Y[5] to X[4], Y[4] nohead linetype 6 dashtype 2
@@ -25,6 +31,4 @@ set arrow from X[2], Y[2] to X[9], Y[9] nohead linetype 1
 set object circle at X[4], Y[4] size 0.045 fillstyle empty border linetype 7 front
 plot lines using "q":(-column("p")) with lines linetype 2, \
      lines using "G_y":(-column("G_x")) with lines linetype 7 dashtype 3, \
-     letters using "aside":(-column("down")) with points linetype 7, \
-     letters using "aside":(-column("down")):(sprintf("{/:Italic %s}", stringcolumn("letter"))) \
-       with labels offset 1.1, 0.6 textcolor linetype 7
+     letters using "aside":(-column("down")) with points linetype 7

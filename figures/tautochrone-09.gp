@@ -9,7 +9,7 @@ do for [i = 1:5] {
   D[i] = STATS_min
 }
 set xrange [-0.55:3.75]
-set yrange [-1.5:0.15]
+set yrange [-1.5:0.2]
 s = 0.84   # the bodies stand closer than their lengths
 # ball, disc, disc from the edge, ring, rod
 set object 1 circle at 0, -1 size first 0.3 fillstyle solid 0.18 border linetype 6 fillcolor rgb grey
@@ -21,9 +21,9 @@ set object 6 rectangle from 4 * s - 0.3, -1.012 to 4 * s + 0.3, -0.988 fillstyle
 do for [i = 0:4] {
   set arrow from i * s, 0 to i * s, -1 nohead linetype 6
   set label at i * s, 0 point linetype 7 pointtype 7
-  set label "{/:Italic A}" at i * s, 0.07 center textcolor linetype 7
+  set label "{/:Italic A}" at i * s, 0.12 center textcolor linetype 7
   set label "{/:Italic C}" at i * s - 0.06, -0.94 right textcolor linetype 7
-  set label "{/:Italic D}" at i * s + 0.05, -D[i + 1] - 0.03 left textcolor linetype 2
+  set label "{/:Italic D}" at i * s + 0.06, -D[i + 1] - 0.035 left textcolor linetype 2
 }
 do for [i = 0:3] { set arrow from -0.45, -1 - i * 0.1 to -0.40, -1 - i * 0.1 nohead linetype 6 }
 set arrow from -0.425, -1 to -0.425, -1.3 nohead linetype 6

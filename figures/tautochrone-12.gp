@@ -13,7 +13,7 @@ set xlabel "{/:Italic k}/{/:Italic a}"
 set ylabel "δ{/:Italic k}/{/:Italic k}" offset 0.5, 0
 set arrow from 0.001, 1 to 1, 1 nohead linetype 6
 set label "swings of 1°" at 10**X_min * 1.25, 10**A_min * 3 left textcolor linetype 2
-set label "ε = 10^{−6}" at 10**X_min / 1.2, 10**B_min / 2 right textcolor linetype 3
+set label "ε = 10^{−6}" at 10**X_min / 1.35, 10**B_min / 6 right textcolor linetype 3
 set label "{/:Italic AD} as a double" at 10**X_min * 1.25, 10**C_min * 3 left textcolor linetype 1
 plot file using "k":"width" with lines linetype 2, "" using "k":"time" with lines linetype 3, \
      "" using "k":"double" with lines linetype 1

@@ -13,6 +13,7 @@ stats file using (column("k3")) every ::80 name "C" nooutput
 set label "{/:Italic a}/10" at 81, A_max left textcolor linetype 1
 set label "2{/:Italic a}/10" at 81, B_max left textcolor linetype 3
 set label "{/:Italic k} = 3{/:Italic a}/10" at 72, C_max right textcolor linetype 2
-set label "fixed axis" at 1, 0.105 left textcolor linetype 6
+stats file using (column("axis")) every ::80 name "F" nooutput
+set label "fixed axis" at 79, F_max - 0.035 right textcolor linetype 6
 plot file using "phi":"k1" with lines linetype 1, "" using "phi":"k2" with lines linetype 3, \
      "" using "phi":"k3" with lines linetype 2, "" using "phi":"axis" with lines linetype 6

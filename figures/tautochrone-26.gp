@@ -8,11 +8,11 @@ set xtics 15 format "%g°"
 set lmargin 10
 set xlabel "angle φ"
 set ylabel "defect of the proportion"
-set label "circle" at 20, 0.1 left textcolor linetype 6
-set label "Huygens’s cycloid" at 27, 8e-3 center textcolor linetype 3
-set label "Euler, with {/:Italic P}" at 20, 2.5e-4 center textcolor linetype 5
-set label "with {/:Italic P} and {/:Italic Q}" at 24, 1e-6 left textcolor linetype 2
 plot tsv("tautochrone-26.defects") using "phi":"circle" with lines linetype 6, \
      "" using "phi":"cycloid" with lines linetype 3, \
      "" using "phi":"kk" with lines linetype 5, \
-     "" using "phi":"k4" with lines linetype 2
+     "" using "phi":"k4" with lines linetype 2, \
+     "" every ::20::20 using "phi":"circle":("circle") with labels left offset 0, 0.9 textcolor linetype 6, \
+     "" every ::20::20 using "phi":"cycloid":("Huygens’s cycloid") with labels left offset -3.5, 1.5 textcolor linetype 3, \
+     "" every ::20::20 using "phi":"kk":("Euler, with {/:Italic P}") with labels left offset -3.2, 1.3 textcolor linetype 5, \
+     "" every ::24::24 using "phi":"k4":("with {/:Italic P} and {/:Italic Q}") with labels left offset 1, -0.7 textcolor linetype 2

@@ -8,4 +8,4 @@ set xlabel "power of {/:Italic kk}"
 set ylabel "size of the correction, over {/:Italic a}"
 set rmargin 5
 plot tsv("tautochrone-27.fall_and_rise") using "n":"size" with linespoints linetype 1, \
-     "" using (column("n") + 0.3):"size":(sprintf("%d°", column("phi"))) every ::15::15 with labels left textcolor linetype 1
+     "" using (column("n") + 0.25):"size":(sprintf("%d°", column("phi"))) every ::16::16 with labels left textcolor linetype 1

@@ -1,7 +1,5 @@
 load "figures/style.gp"
 set size ratio -1
-set xrange [0.36:0.68]
-set yrange [0.07:0.27]
 set xtics 0.1 format "%.1f"
 set ytics 0.05 format "%.2f"
 set lmargin 10
@@ -9,13 +7,18 @@ set xlabel "{/:Italic y} / {/:Italic a}"
 set ylabel "{/:Italic x} / {/:Italic a}" offset 0, 0
 file = tsv("tautochrone-32.curves")
 of(n) = column("kind") == n ? column("x") : NaN
-set label "circle" at 0.645, 0.222 left textcolor linetype 6
-set label "cycloid" at 0.636, 0.257 right textcolor linetype 3
-set label "exact" at 0.598, 0.245 right textcolor linetype 1
-set label "Euler" at 0.5905, 0.2245 left textcolor linetype 2
+# the upper parts: a window about the ends of Euler's curve and of the exact one
+stats file index 2 every ::60::60 using "y":"x" name "E" nooutput
+stats file index 3 every ::59::59 using "y":"x" name "T" nooutput
+set xrange [0.8 * E_min_x : 1.14 * (E_min_x > T_min_x ? E_min_x : T_min_x)]
+set yrange [0.6 * E_min_y : 1.1 * (E_min_y > T_min_y ? E_min_y : T_min_y)]
 plot file using "y":(of(0)) with lines linetype 6, \
      file using "y":(of(1)) with lines linetype 3, \
      file using "y":(of(3)) with lines linetype 1, \
      file using "y":(of(2)) with lines linetype 2, \
      file index 2 every ::60::60 using "y":"x" with points linetype 2, \
-     file index 3 every ::59::59 using "y":"x" with points linetype 1
+     file index 3 every ::59::59 using "y":"x" with points linetype 1, \
+     file index 2 every ::60::60 using "y":"x":("Euler") with labels left offset -0.1, 0.9 textcolor linetype 2, \
+     file index 3 every ::59::59 using "y":"x":("exact") with labels right offset -0.8, 0.3 textcolor linetype 1, \
+     file index 0 every ::43::43 using "y":"x":("circle") with labels left offset 0.8, -0.7 textcolor linetype 6, \
+     file index 1 every ::31::31 using "y":"x":("cycloid") with labels right offset -0.8, 0.2 textcolor linetype 3
