@@ -116,12 +116,13 @@ addEventListener('keydown', (e) => {
 });
 
 // Where the section runs in the page itself: its script comes when a field, a slider, a scene or the checks are first touched, or
-// by an address with numbers (#zeta=60).
+// by an address with numbers (#zeta=60). Else only the scenes move, by a script that comes when one is first touched.
+const src = document.querySelector('[data-frames]') ? 'scene.js' : 'live/live.js';
 const live = [...document.querySelectorAll('.parameters .field, .again, .controls')];
 const wake = (event) => {
   if (self.liveListens) return;
   if (event?.type === 'click') self.liveWanted = event.target.closest('button') ?? self.liveWanted;
-  if (!self.liveWoken) document.head.append(make('script', { src: 'live/live.js' }));
+  if (!self.liveWoken) document.head.append(make('script', { src }));
   self.liveWoken = true;
 };
 for (const place of live) for (const type of ['focusin', 'pointerover', 'click', 'input']) place.addEventListener(type, wake);

@@ -342,6 +342,17 @@ function files() {
   write('minisearch.js', umd);
   write('search.js', read(source, 'book/search.mjs').replace(/^export /gm, ''));
   write('book.js', read(source, 'book/book.js'));
+  const { outputFiles } = packages('esbuild').buildSync({
+    entryPoints: [path.join(source, 'book/live/frames.mjs')],
+    bundle: true,
+    minify: true,
+    format: 'iife',
+    target: 'es2022',
+    charset: 'utf8',
+    write: false,
+    logLevel: 'error',
+  });
+  write('scene.js', outputFiles[0].text);
   write('copy-tex.js', fs.readFileSync(packages.resolve('katex/dist/contrib/copy-tex.min.js'), 'utf8'));
 
   /**

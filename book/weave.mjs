@@ -240,16 +240,24 @@ book.figure = (name, alt, caption, page) => {
   return numbered(page, name, script, data, alt, `${caption}${proved && ` <span class="proved">Its data: ${proved}.</span>`}`);
 };
 
-/** A scene that the section declares: its first frame, and what starts it where the page runs itself. */
+/**
+ * A scene that the section declares: its first frame, and what starts it. Where the page does not run itself, its frames lie
+ * beside it as a script, which is fetched when the scene is first touched.
+ */
 book.scene = (name, alt, caption, page) => {
   const declared = page.section?.told.scenes.find((s) => s.name === name);
   if (!declared) throw new Error(`no scene is told by the name of ::: scene ${name}`);
   page.drawings = (page.drawings ?? 0) + 1;
   const id = `fig-${page.drawings}`;
   const frames = read(path.join(build, `told/${page.section.name}.${name}.tsv`));
+  const script = `scenes/${page.section.name}.${name}.js`;
+  if (!book.live) {
+    const packed = [name, [declared, frames]].map((x) => JSON.stringify(x));
+    write(`html/${script}`, `(self.SCENES ??= {})[${packed[0]}] = ${packed[1]};\n`);
+  }
   return (
-    `<figure id="${id}" class="scene" data-scene="${name}">\n<div class="drawing">\n` +
-    `${still(declared, frames, `scene-${name}`, alt)}</div>\n${book.live ? controls : ''}` +
+    `<figure id="${id}" class="scene" data-scene="${name}"${book.live ? '' : ` data-frames="${script}"`}>\n` +
+    `<div class="drawing">\n${still(declared, frames, `scene-${name}`, alt)}</div>\n${controls}` +
     `<figcaption><a class="label" href="#${id}">Fig. ${page.drawings}</a> ${caption}</figcaption>\n</figure>\n`
   );
 };
@@ -373,7 +381,7 @@ function everything() {
   if (only) return 1;
   orphans();
   write('html/claims.json', `${JSON.stringify(ledger(), null, 1)}\n`);
-  for (const folder of ['dox', 'html/figures', 'html/thumbnails', 'html/data', 'html/programs'])
+  for (const folder of ['dox', 'html/figures', 'html/thumbnails', 'html/data', 'html/programs', 'html/scenes'])
     // nothing stays of what is gone
     for (const f of fs.existsSync(path.join(build, folder)) ? fs.readdirSync(path.join(build, folder)) : [])
       if (!kept.has(path.join(build, folder, f))) fs.rmSync(path.join(build, folder, f));

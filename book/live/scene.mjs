@@ -47,7 +47,7 @@ function reach(body, rows) {
  */
 export function stage(scene, rows) {
   const points = scene.bodies.filter((b) => b.kind !== 'ground').flatMap((b) => reach(b, rows));
-  const range = (i) => [Math.min(...points.map((p) => p[i])), Math.max(...points.map((p) => p[i]))];
+  const range = (i) => points.reduce(([least, most], p) => [Math.min(least, p[i]), Math.max(most, p[i])], [Infinity, -Infinity]);
   const [[left, right], [low, high]] = [range(0), range(1)];
   const scale = (width - 2 * margin) / Math.max(right - left, (high - low) * 1.4);
   const height = Math.ceil((high - low) * scale + 2 * margin);
@@ -138,7 +138,7 @@ export class Moving {
     this.slider.addEventListener('input', async () => {
       this.want(false);
       await this.ready();
-      this.show(Number(this.slider.value) * this.end);
+      if (this.rows) this.show(Number(this.slider.value) * this.end);
     });
     new IntersectionObserver(([entry]) => {
       this.seen = entry.isIntersecting;
@@ -158,10 +158,12 @@ export class Moving {
   /** Takes up the scene anew: the program has told something else. */
   async take() {
     const [scene, tsv] = await this.told();
+    const svg = this.figure.querySelector('svg');
+    svg.classList.toggle('absent', !scene);
+    if (!scene) return; // these numbers have no motion that can be seen
     this.rows = rowsOf(tsv);
     this.end = this.rows.at(-1).t;
     const { viewBox, width: w, height, bodies } = stage(scene, this.rows);
-    const svg = this.figure.querySelector('svg');
     for (const [name, x] of Object.entries({ viewBox, width: w, height })) svg.setAttribute(name, x);
     const drawn = bodies.map(({ tag, fixed, moving }) => {
       const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
@@ -174,7 +176,11 @@ export class Moving {
   }
 
   async ready() {
-    if (!this.rows) await (this.taking ??= this.take());
+    if (this.rows) return;
+    this.taking ??= this.take().finally(() => {
+      this.taking = null;
+    });
+    await this.taking;
   }
 
   async want(it) {

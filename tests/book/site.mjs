@@ -49,7 +49,7 @@ function judged() {
     wrong.push(`wider than the window by ${document.documentElement.scrollWidth - window.innerWidth}`);
   for (const svg of document.querySelectorAll('figure svg:not(.katex svg)')) {
     const box = svg.getBoundingClientRect();
-    if (box.width < 100 || box.height < 50 || !svg.querySelector('path'))
+    if (box.width < 100 || box.height < 50 || !svg.querySelector('path, polyline'))
       say('a figure without a drawing', svg);
     if (!svg.querySelector('title')?.textContent.trim()) say('a figure without a title', svg);
   }
@@ -245,6 +245,36 @@ page.once('pageerror', (e) => (thrown = e.message));
 await page.goto(`${address('pendulum-11.html')}#100%`);
 await page.reload();
 if (thrown) faults.push(`#100% throws: ${thrown}`);
+
+// Scenes: nothing comes before the first touch; then they move, stop, and follow the slider; less motion is heeded. (What plays
+// where a page runs itself, live.mjs tries.)
+for (const name of pages) {
+  if (!fs.readFileSync(path.join(site, name), 'utf8').includes('data-frames=')) continue;
+  await open(name);
+  const scripts = () => page.evaluate(() => document.querySelectorAll('script[src*="scene"]').length);
+  if (await scripts()) faults.push(`${name}: the scene comes unasked`);
+  const clock = async () => parseFloat(await page.textContent('.scene .clock'));
+  const shape = () => page.evaluate(() => document.querySelector('.scene svg').innerHTML);
+  const still = await shape();
+  await page.locator('.scene').first().scrollIntoViewIfNeeded();
+  await page.click('.scene .start');
+  await page
+    .waitForFunction(() => parseFloat(document.querySelector('.scene .clock').textContent) > 0)
+    .catch(() => faults.push(`${name}: the scene does not start`));
+  if ((await shape()) === still) faults.push(`${name}: the scene does not move`);
+  await page.click('.scene .start');
+  const stopped = await clock();
+  await page.waitForTimeout(100);
+  if (stopped !== (await clock())) faults.push(`${name}: the scene does not stop`);
+  await page.focus('.scene .time');
+  await page.keyboard.press('Home');
+  await page
+    .waitForFunction(() => parseFloat(document.querySelector('.scene .clock').textContent) === 0)
+    .catch(() => faults.push(`${name}: the slider does not lead back`));
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  if (await page.isVisible('.scene .start')) faults.push(`${name}: the scene would move where less motion is asked for`);
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+}
 
 // By keyboard: the first stop leads to the text. Printed: no controls, and nothing cut.
 await open('index.html');
