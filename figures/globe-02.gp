@@ -19,9 +19,9 @@ set label "{/:Italic O}" at right + 0.38, -0.13 center textcolor linetype 7
 set label "{/:Italic S}" at X[2] + 0.02, -0.13 left textcolor linetype 7
 set label "{/:Italic P}" at X[6] - 0.02, -0.13 right textcolor linetype 7
 set label "{/:Italic C}" at X[3], Y[3] + 0.1 center textcolor linetype 7
-set label "{/:Italic A}" at X[3] + 1.1 * (X[4] - X[3]), Y[3] + 1.1 * (Y[4] - Y[3]) center textcolor linetype 7
-set label "{/:Italic G}" at X[5] + (X[5] > X[3] ? 0.05 : -0.05), Y[5] + 0.04 center textcolor linetype 1
-set label "{/:Italic Q}" at X[7] + (X[5] > X[3] ? -0.06 : 0.06), Y[7] center textcolor linetype 7
+set label "{/:Italic A}" at X[3] + 1.12 * (X[4] - X[3]), Y[3] + 1.12 * (Y[4] - Y[3]) center textcolor linetype 7
+set label "{/:Italic G}" at X[5] + (X[5] > X[3] ? 0.08 : -0.08), Y[5] + 0.07 center textcolor linetype 1
+set label "{/:Italic Q}" at X[7] + (X[5] > X[3] ? -0.09 : 0.09), Y[7] center textcolor linetype 7
 plot tsv("globe-02.circle") using "x":"y" with lines linetype 7, \
      tsv("globe-02.arc") using "x":"y" with lines linetype 3, \
      "" using (X[3] + 0.68 * (column("x") - X[3])):(Y[3] + 0.68 * (column("y") - Y[3])):("Φ") every 1::20::20 with labels textcolor linetype 3, \

@@ -9,7 +9,7 @@ set lmargin 9
 set ylabel "arm about {/:Italic G}, in radii" offset -0.3, 0
 set xzeroaxis linetype 6
 set label "of the friction" at 180, F[91] offset 0, 0.8 center textcolor linetype 1
-set label "of the pressure" at 270, P[136] offset 0, -0.9 center textcolor linetype 2
+set label "of the pressure" at 228, P[115] right offset -2.2, 0 textcolor linetype 2
 set yrange [(P[136] < F[1] ? P[136] : F[1]) - 0.12:*]
 higher(p, f) = p > f ? p : f
 plot file using "Phi_deg":"friction":(higher(column("pressure"), column("friction"))) with filledcurves linetype 2, \

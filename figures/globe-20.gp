@@ -15,7 +15,7 @@ set yrange [low:high]
 set label "leaves the plane" at 0.9, 12 center textcolor linetype 2
 set label "turns over on the plane" at 0.0115, 4 left textcolor linetype 1
 set label "rocks" at 0.3, 0.85 center textcolor linetype 7
-set label "√2" at right, 1.25 right textcolor linetype 6
+set label "√2" at right, sqrt(2) right offset -0.5, -0.9 textcolor linetype 6
 set label "this ball" at x, y left offset 0.8, 0 textcolor linetype 7
 plot tsv(curves) using "ratio":(sqrt(2)):"n" with filledcurves linecolor rgb blue, \
      sqrt(2) with lines linetype 6, \

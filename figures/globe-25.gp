@@ -10,5 +10,5 @@ set rmargin 5
 file = tsv("globe-25.portrait")
 plot for [i = 0:2] for [side = -1:1:2] file using "Phi_deg":(side * column("smooth")) index i with lines linetype 6 linewidth (i == 1 ? 2 : 0.8), \
      for [i = 0:2] for [side = -1:1:2] file using "Phi_deg":(side * column("rolling")) index i with lines linetype 1 linewidth (i == 1 ? 2 : 0.8), \
-     file using "Phi_deg":"smooth":("smooth") index 1 every ::75::75 with labels left offset 0.6, 0.4 textcolor linetype 6, \
-     file using "Phi_deg":"rolling":("rolling") index 1 every ::52::52 with labels center offset 0, 0.8 textcolor linetype 1
+     file using "Phi_deg":"smooth":("smooth") index 1 every ::75::75 with labels left offset 1.6, 0.7 textcolor linetype 6, \
+     file using "Phi_deg":"rolling":("rolling") index 1 every ::90::90 with labels center offset 0, -0.9 textcolor linetype 1

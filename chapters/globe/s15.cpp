@@ -40,8 +40,8 @@ another one ({{sec globe.31}}).
 What if the swing is not so small? With $h = \sin^2\frac12\Phi$ at the farthest place, and an angle ϑ that
 runs from 0 to 90° on the way there, the formula of {{sec globe.13}} becomes
 
-$$ \frac T{T_0} = \frac2\pi\int \sqrt{\frac{1 + 4q\,X(1-X)}{1-X}}\;d\vartheta, \qquad
-   X = h\sin^2\vartheta, \quad q = \frac{cc}{kk}, \tag{A} $$
+$$ \begin{gathered} \frac T{T_0} = \frac2\pi\int \sqrt{\frac{1 + 4q\,X(1-X)}{1-X}}\;d\vartheta, \\
+   X = h\sin^2\vartheta, \qquad q = \frac{cc}{kk}, \end{gathered} \tag{A} $$
 
 and expanded by the powers of $X$, each of whose means is known,
 

@@ -15,8 +15,8 @@ using namespace globe;
 The time with just the velocity for the top is a logarithm and, for what the centre of gravity's distance
 adds, the cube of a cosine. To handle the formula of {{sec globe.16}} more easily he puts
 
-$$ \tfrac12\Phi = 90° - \omega, \qquad \Phi = 180° - 2\omega, \qquad
-   \sin\Phi = \sin2\omega = 2\sin\omega\cos\omega, \tag{1} $$
+$$ \begin{gathered} \tfrac12\Phi = 90° - \omega, \qquad \Phi = 180° - 2\omega, \\
+   \sin\Phi = \sin2\omega = 2\sin\omega\cos\omega, \end{gathered} \tag{1} $$
 
 and has to integrate
 

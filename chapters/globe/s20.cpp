@@ -132,8 +132,8 @@ TELL
 /*!
 Our ball, for which ζ of Case II is {{zeta_II|5}}, stays on its plane up to $\zeta = $ {{zeta_most|5}}, or
 $n = $ {{n_most|5}}, and no further. The part that is to vanish can be made {{share_least|3}} there and not
-less. With $n = $ {{n|3}} the plane would have to hold it back at the top with {{pressure|3}} of the weight,
-and long before that, at {{Phi_off|6}}, it is off.
+less. With $n = $ {{n|3}} the pressure at the top would have to be {{pressure|3}} of the weight, which is a
+pull, and long before that, at {{Phi_off|6}}, the ball is off.
 
 ::: figure globe-20
 alt: The plane of c over k and n, both logarithmic. Below a level line at the root of two the ball rocks; a

@@ -27,7 +27,7 @@ rest in every position.
 
 ::: margin
 Today: without friction the ball turns about an axis through $G$, when rolling about the point of contact;
-(2) compares the two *radii of gyration*.
+{{eq 2}} compares the two *radii of gyration*.
 :::
 
 The first statement holds for every $c$, and is without a limit: with the mass gathered near $G$, $k$ is
@@ -35,8 +35,8 @@ small, and the ratio becomes as large as one likes. A ball of even density, load
 $kk = \tfrac25aa$; friction slows it in the ratio of 1 to {{even|4}}.
 
 The second statement is about balls, and for them it is right. On a smooth plane $kk/c$ falls
-with $c$, whatever $c$ is. But (1) has two members, $(aa + kk)/c - 2a$ and $c$, of which the second grows: it
-is least where
+with $c$, whatever $c$ is. But {{eq 1}} has two members, $(aa + kk)/c - 2a$ and $c$, of which the second
+grows: it is least where
 
 $$ c = \sqrt{aa+kk}, \qquad l = 2c - 2a = \frac{2kk}{\sqrt{aa+kk}+a}, \tag{A} $$
 
@@ -129,8 +129,8 @@ TELL
 }
 
 /*!
-Our ball rolls to and fro in {{swing_rolling|5}} seconds, without friction in {{swing_smooth|5}}: it is
-slower by {{slowed|3}}.
+A single swing of our ball takes {{swing_rolling|5}} seconds when it rolls, without friction
+{{swing_smooth|5}}: friction makes it longer by {{slowed|3}}.
 
 {{table lengths}}
 
@@ -259,7 +259,7 @@ CHECK_THAT("the table and the curves are (1) and (2), and only at c = a the pend
 ::: exercise
 A cradle rocks as fast with one $c$ as with another. How are the two related?
 
-answer: $cc' = aa + kk$: (1) is $(aa+kk)/c + c - 2a$, and the two members change places. With our ball's
+answer: $cc' = aa + kk$: {{eq 1}} is $(aa+kk)/c + c - 2a$, and the two members change places. With our ball's
 $c$ the other is {{partner|4}} feet.
 :::
 */
