@@ -1,4 +1,4 @@
-// The circular functions against fifty digits, where they are hard and where they are not.
+// The elementary functions against fifty digits, where they are hard and where they are not.
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,7 @@
 
 #include "edition/compare.hpp"
 #include "elementary/circular.hpp"
+#include "elementary/nearest.hpp"
 
 namespace
 {
@@ -205,4 +206,129 @@ TEST_CASE(
   }
   MESSAGE("worst ", worst * 0x1p53, " · 2⁻⁵³");
   CHECK(worst <= 1.3 * 0x1p-53);
+}
+
+TEST_CASE(
+    "the functions rounded to nearest err by half a unit in the last place, and exact results are exact")
+{
+  namespace nearest = elementary::nearest;
+  struct Tried
+  {
+    const char* name;
+    double (*function)(double);
+    Fifty (*exactly)(const Fifty&);
+    double lo, hi;
+  };
+#define NEAREST(name, exactly, lo, hi)                                                                     \
+  Tried                                                                                                    \
+  {                                                                                                        \
+#name, &nearest::name, [](const Fifty& x) -> Fifty { return exactly; }, lo, hi                         \
+  }
+  const Tried all[] = {NEAREST(sin, sin(x), -9, 9),
+                       NEAREST(cos, cos(x), -9, 9),
+                       NEAREST(tan, tan(x), -9, 9),
+                       NEAREST(asin, asin(x), -1, 1),
+                       NEAREST(acos, acos(x), -1, 1),
+                       NEAREST(atan, atan(x), -4, 4),
+                       NEAREST(exp, exp(x), -700, 700),
+                       NEAREST(exp, exp(x), -1, 1),
+                       NEAREST(exp2, exp(x * log(Fifty(2))), -1000, 1000),
+                       NEAREST(expm1, expm1(x), -3, 3),
+                       NEAREST(expm1, expm1(x), -40, 700),
+                       NEAREST(log, log(x), 0.5, 2),
+                       NEAREST(log, log(x), 0, 1e9),
+                       NEAREST(log2, log(x) / log(Fifty(2)), 0, 9),
+                       NEAREST(log10, log(x) / log(Fifty(10)), 0, 99),
+                       NEAREST(log1p, log1p(x), -1, 3),
+                       NEAREST(cbrt, cbrt(x), -9, 9),
+                       NEAREST(sinh, sinh(x), -3, 3),
+                       NEAREST(sinh, sinh(x), -700, 700),
+                       NEAREST(cosh, cosh(x), -3, 3),
+                       NEAREST(cosh, cosh(x), -700, 700),
+                       NEAREST(tanh, tanh(x), -3, 3),
+                       NEAREST(tanh, tanh(x), -30, 30),
+                       NEAREST(asinh, asinh(x), -3, 3),
+                       NEAREST(asinh, asinh(x), -1e9, 1e9),
+                       NEAREST(acosh, acosh(x), 1, 3),
+                       NEAREST(acosh, acosh(x), 1, 1e9),
+                       NEAREST(atanh, atanh(x), -1, 1)};
+#undef NEAREST
+  Dice dice;
+  double worst = 0;
+  for(const Tried& f : all)
+  {
+    CAPTURE(f.name);
+    double here = 0;
+    for(int i = 0; i < 1000; ++i)
+    {
+      double x = f.lo + (f.hi - f.lo) * dice.unit();
+      if(i % 4 == 0 && f.lo < 0)
+        x = std::ldexp(x, -i / 20);
+      here = std::max(here, ulps(f.function(x), f.exactly(x)));
+    }
+    CHECK(here <= 0.5 + 0x1p-20);
+    worst = std::max(worst, here);
+  }
+  for(int i = 0; i < 2000; ++i)
+  {
+    const double x = std::abs(dice.of_any_size(-9, 9)),
+                 y = i % 2 == 0 ? dice.of_any_size(-3, 6) : i % 90 - 45;
+    CAPTURE(x);
+    CAPTURE(y);
+    worst = std::max(worst, ulps(nearest::pow(x, y), pow(Fifty(x), Fifty(y))));
+    worst = std::max(worst, ulps(nearest::atan2(x, y), atan2(Fifty(x), Fifty(y))));
+    worst = std::max(worst, ulps(nearest::hypot(x, y), sqrt(Fifty(x) * x + Fifty(y) * y)));
+    CHECK(worst <= 0.5 + 0x1p-20);
+  }
+  MESSAGE("worst ", worst, " ulp");
+  CHECK(nearest::pow(134217729, 2)
+        == 18014398777917440);  // 18014398777917441, between two doubles, to the even one
+  CHECK(nearest::pow(3, 33) == 5559060566555523);
+  CHECK(nearest::pow(-2, -1074) == tiniest);
+  CHECK(nearest::pow(0.25, -1.5) == 8);
+  CHECK(nearest::exp2(-1074) == tiniest);
+  CHECK(nearest::exp2(10) == 1024);
+  CHECK(nearest::log2(tiniest) == -1074);
+  CHECK(nearest::log10(1e22) == 22);
+  CHECK(nearest::cbrt(-27) == -3);
+  CHECK(nearest::hypot(3 * tiniest, 4 * tiniest) == 5 * tiniest);
+  CHECK(nearest::hypot(3e307, 4e307) == 5e307);
+  CHECK(ulps(nearest::exp(-740), exp(Fifty(-740))) <= 0.5);  // eight digits are left
+}
+
+TEST_CASE("the functions rounded to nearest have C's values at the ends")
+{
+  namespace nearest = elementary::nearest;
+  const auto same = [](double a, double b) {
+    return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
+  };
+  for(const double x : {0.0, -0.0, 1.0, -1.0, inf, -inf, not_a_number, 800.0, -800.0, 1.5, -1.5})
+  {
+    CAPTURE(x);
+    // what is not at an end is looked at above
+    for(const auto& [ours, theirs] : std::initializer_list<std::pair<double, double>>{
+            {nearest::exp(x), std::exp(x)},     {nearest::exp2(x * 2), std::exp2(x * 2)},
+            {nearest::log(x), std::log(x)},     {nearest::log2(x), std::log2(x)},
+            {nearest::log10(x), std::log10(x)}, {nearest::log1p(x), std::log1p(x)},
+            {nearest::expm1(x), std::expm1(x)}, {nearest::sinh(x), std::sinh(x)},
+            {nearest::cosh(x), std::cosh(x)},   {nearest::tanh(x), std::tanh(x)},
+            {nearest::asinh(x), std::asinh(x)}, {nearest::acosh(x), std::acosh(x)},
+            {nearest::atanh(x), std::atanh(x)}, {nearest::cbrt(x), std::cbrt(x)},
+            {nearest::sin(x), std::sin(x)},     {nearest::cos(x), std::cos(x)},
+            {nearest::tan(x), std::tan(x)},     {nearest::asin(x), std::asin(x)},
+            {nearest::acos(x), std::acos(x)},   {nearest::atan(x), std::atan(x)}})
+      CHECK((same(ours, theirs) || std::abs(ours - theirs) <= 4.5e-16 * std::abs(theirs)));
+    for(const double y :
+        {0.0, -0.0, 1.0, -1.0, 2.0, 3.0, -3.0, 0.5, -0.5, inf, -inf, not_a_number, 1e300, -1e300})
+    {
+      CAPTURE(y);
+      const double power = nearest::pow(x, y), angle = nearest::atan2(x, y);
+      CHECK((same(power, std::pow(x, y)) || std::abs(power - std::pow(x, y)) <= 4.5e-16 * std::abs(power)));
+      CHECK((same(angle, std::atan2(x, y))
+             || std::abs(angle - std::atan2(x, y)) <= 4.5e-16 * std::abs(angle)));
+      CHECK((same(nearest::hypot(x, y), std::hypot(x, y))
+             || std::abs(nearest::hypot(x, y) - std::hypot(x, y)) <= 4.5e-16 * std::hypot(x, y)
+             || std::isnan(nearest::hypot(x, y))));
+    }
+  }
 }

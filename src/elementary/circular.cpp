@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "elementary/reduction.hpp"
+
 namespace elementary
 {
 namespace
@@ -60,18 +62,6 @@ Reduced<double> reduced_by_integers(double x)
       ordered_sum(main.value, main.lost + (half_pi.value * lower + half_pi.lost * upper.value));
   const std::uint64_t turns = (top >> 62) + (beyond ? 1 : 0);
   return {beyond ? Double{-rest.value, -rest.lost} : rest, turns};
-}
-
-/// For every finite x; NaN for the others.
-Reduced<double> reduced_any(double x)
-{
-  const double size = magnitude(x);
-  if(size <= circular::reach)
-    return circular::reduced(x);
-  if(!(size < std::numeric_limits<double>::infinity()))
-    return {{nan, nan}, 0};
-  const Reduced<double> r = reduced_by_integers(size);
-  return x > 0 ? r : Reduced<double>{{-r.rest.value, -r.rest.lost}, 0 - r.turns};
 }
 
 double added(Double x)
@@ -149,23 +139,34 @@ Double other_side(double x)
 
 }  // namespace
 
+Reduced<double> circular::reduced_any(double x)
+{
+  const double size = magnitude(x);
+  if(size <= reach)
+    return reduced(x);
+  if(!(size < std::numeric_limits<double>::infinity()))
+    return {{nan, nan}, 0};
+  const Reduced<double> r = reduced_by_integers(size);
+  return x > 0 ? r : Reduced<double>{{-r.rest.value, -r.rest.lost}, 0 - r.turns};
+}
+
 double sin(double x)
 {
   if(magnitude(x) < 0x1p-27)
     return x;
-  const Reduced<double> r = reduced_any(x);
+  const Reduced<double> r = circular::reduced_any(x);
   return sine_after(r.rest, r.turns);
 }
 
 double cos(double x)
 {
-  const Reduced<double> r = reduced_any(x);
+  const Reduced<double> r = circular::reduced_any(x);
   return sine_after(r.rest, r.turns + 1);
 }
 
 SineCosine<double> sincos(double x)
 {
-  const Reduced<double> r = reduced_any(x);
+  const Reduced<double> r = circular::reduced_any(x);
   return {magnitude(x) < 0x1p-27 ? x : sine_after(r.rest, r.turns), sine_after(r.rest, r.turns + 1)};
 }
 
@@ -173,7 +174,7 @@ double tan(double x)
 {
   if(magnitude(x) < 0x1p-27)
     return x;
-  const Reduced<double> r = reduced_any(x);
+  const Reduced<double> r = circular::reduced_any(x);
   const Double s = circular::sine(r.rest), c = circular::cosine(r.rest);
   const Double sine = ordered_sum(s.value, s.lost), cosine = ordered_sum(c.value, c.lost);
   if((r.turns & 1) == 0)
