@@ -28,8 +28,8 @@ $$ \frac{dy^2}{dt^2} = \frac{d\Phi^2}{dt^2}cc\sin^2\Phi
 
 Added together they lose their denominator, and the whole living force is
 
-$$ P\Bigl(ff + \frac{d\Phi^2}{dt^2}(kk + cc\sin^2\Phi){{entry bracket}}\Bigr)
-   = P(ff + 4gc\cos\Phi + \zeta\zeta kk - 4gc), \tag{4} $$
+$$ \begin{aligned} P\Bigl(ff &+ \frac{d\Phi^2}{dt^2}(kk + cc\sin^2\Phi){{entry bracket}}\Bigr) \\
+   &= P(ff + 4gc\cos\Phi + \zeta\zeta kk - 4gc), \end{aligned} \tag{4} $$
 
 $$ P\bigl(ff + \zeta\zeta kk - 4gc(1-\cos\Phi)\bigr). \tag{5} $$
 
@@ -102,7 +102,7 @@ TELL
 
 TELL
 {
-  curve("parts", {"Phi", "turning", "upright"}, [](Curve& curve) {
+  curve("parts", {"Phi", "turning", "upright", "alike"}, [](Curve& curve) {  // alike: turning, if k were c
     const Fifty c_ = c.fifty(), k_ = k.fifty(), g_ = g.fifty();
     const Energy<Fifty> e = asked.fifty(c_, k_ * k_, g_);
     const Fifty end = e.turns_over() ? exact::pi() : Fifty(2 * atan2(sqrt(e.h), sqrt(e.from_top)));
@@ -112,8 +112,9 @@ TELL
       const Place<Fifty> there =
           n % 90 == 0 && n != 0 ? Place<Fifty>{sin(end / 2), cos(end / 2)} : place(at);
       const Parts now = parts(c_, k_, g_, e, there);
-      curve.put(
-          {(n < 0 ? -1 : 1) * double(at * 180 / exact::pi()), double(now.turning), double(now.upright)});
+      const Fifty sine = 2 * there.s * there.c;
+      curve.put({(n < 0 ? -1 : 1) * double(at * 180 / exact::pi()), double(now.turning),
+                 double(now.upright), double((now.turning + now.upright) / (1 + sine * sine))});
     }
   });
 }
@@ -129,7 +130,8 @@ turning; the upper one, thin for this ball, that of the rise and fall, which van
 and at the ends. Their sum is a smooth wave below the level of what was impressed.
 
 The two parts of the living force that the turning shares with the rise and fall of $G$, over one turn or
-swing. Their sum (ink) is a plain cosine; only the parts know of $k$. Ask for `--c 1`.
+swing. Their sum (ink) is a plain cosine; only the parts know of $k$. A ball with its $k$ as small as $c$ and
+the same energy would have its turning below the dashed line, and the rise and fall of $G$ between both.
 :::
 
 ## Checks
@@ -241,6 +243,8 @@ CHECK_THAT("the layers drawn are (1) and (3), and their sum a plain cosine")
       CHECK(point.value("Phi") == between(-180, 180, "one turn"));
       CHECK(point.value("turning") == within(k_ * k_ * left / D, 8 * slack, "an ulp of the angle"));
       CHECK(point.value("upright") == within(s * s * left / D, 8 * slack, "an ulp of the angle"));
+      const Fifty alike = left / (c_ * c_ + s * s) * c_ * c_;  // (1) with kk = cc
+      CHECK(point.value("alike") == within(alike, 8 * slack, "an ulp of the angle"));
     }
   }
 }

@@ -46,8 +46,9 @@ three things can be said. First, let a pendulum have the same share $h$ of the e
 for; it stops at the same angle as the ball. With $\tau = t\sqrt{2gc}$ for the ball's time and υ for the
 pendulum's own,
 
-$$ d\upsilon = \frac{\tfrac12\,d\Phi}{\sqrt{h - \sin^2\frac12\Phi}}, \qquad
-   d\tau = \sqrt{kk + cc\sin^2\Phi}\;d\upsilon, \qquad h = \frac{\zeta\zeta kk}{8gc}. \tag{A} $$
+$$ \begin{gathered} d\upsilon = \frac{\tfrac12\,d\Phi}{\sqrt{h - \sin^2\frac12\Phi}}, \qquad
+   h = \frac{\zeta\zeta kk}{8gc}, \\
+   d\tau = \sqrt{kk + cc\sin^2\Phi}\;d\upsilon. \end{gathered} \tag{A} $$
 
 Here υ is elliptic, and the root is a smooth periodic function of υ. Such a function is integrated over
 its period by the plainest of all rules, the mean of equally spaced values, and the error falls faster
@@ -124,11 +125,6 @@ const auto asked = asked_energy(0.5);
 const auto where = asked_place(60_deg);
 const auto t = real("t", 0.3, seconds, closed(0, 1e100), "time since the lowest place");
 
-Energy<Fifty> energy_asked()
-{
-  return asked.fifty(c.fifty(), k.fifty() * k.fifty(), g.fifty());
-}
-
 bool arrives(const Energy<Fifty>& e, const Place<Fifty>& there)
 {
   return there.s * there.s <= e.h;
@@ -137,7 +133,7 @@ bool arrives(const Energy<Fifty>& e, const Place<Fifty>& there)
 TELL
 {
   require(c <= 100 * k && k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
-  const Energy<Fifty> e0 = energy_asked();
+  const Energy<Fifty> e0 = asked.smooth(c, k, g);
   const Place<Fifty> place0 = where.fifty();
   const auto e = rounded(e0);
   const double second = std::sqrt(2 * g) * std::sqrt(c);  // what one second is in τ
@@ -237,7 +233,7 @@ const std::vector<int> counts{8, 16, 32, 64};
 
 TELL
 {
-  const auto e = rounded(energy_asked());
+  const auto e = rounded(asked.smooth(c, k, g));
   if(e.from_top == 0)
     return;  // nothing finite to compare
   const double c_ = c, k_ = k, right = std::numbers::pi / 2;
@@ -255,7 +251,7 @@ TELL
                     },
                     "Gauss"});
   ways.push_back({"this edition", [=] { return smooth::quarter(c_, k_, e); }});
-  race("quarter", "τ", oracle::smooth_quarter(c.fifty(), k.fifty(), energy_asked()), ways);
+  race("quarter", "τ", oracle::smooth_quarter(c.fifty(), k.fifty(), asked.smooth(c, k, g)), ways);
 }
 
 /*!
@@ -269,7 +265,7 @@ CHECK_THAT("the times and angles told are those of the integral in fifty digits,
   for(const Told& now : told_at("", "from_top=1e-15 psi=1e-3 t=0.9", "zeta=12 Phi=170 c=0.3 t=0.2",
                                 "from_top=-1e-30 Phi=180 k=3 t=1", "h=1e-40 Phi=1e-30 g=1e50 t=1e-30"))
   {
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.smooth(c, k, g);
     const Fifty c_ = c.fifty(), k_ = k.fifty(), second = sqrt(2 * g.fifty() * c_);
     CHECK(now.value("energy") == within_ulps(e.h, 1, "rounded once"));
     CHECK(now.value("below_top") == within_ulps(e.from_top, 1, "rounded once"));
@@ -297,7 +293,7 @@ CHECK_THAT("the time told brings the ball by the equations of motion to the angl
 {
   for(const Told& now : told_at("", "h=3 Phi=150", "zeta=20 Phi=90 c=0.5 k=0.5"))
   {
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.smooth(c, k, g);
     const Fifty c_ = c.fifty(), k_ = k.fifty(), g_ = g.fifty(), second = sqrt(2 * g_ * c_);
     const auto motion = [&](const Fifty&, const exact::State& s) {
       return exact::State{s[1], accelerations<Fifty>(Ball<Fifty>{1, c_, k_}, g_, s[0], s[1], 0).Phi};
@@ -383,7 +379,7 @@ CHECK_THAT("in the race each rule gives what it gives in fifty digits")
 {
   for(const Told& now : told_at("", "from_top=1e-9", "zeta=9 c=0.4"))
   {
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.smooth(c, k, g);
     const Fifty c_ = c.fifty(), k_ = k.fifty(), right = exact::pi() / 2;
     CHECK(now.exact("quarter")
           == within_relative(smooth::quarter(c_, k_, e), 1e-35, "two ways of forty digits"));
@@ -445,7 +441,8 @@ That there are no other such energies than these two is not shown here.
 
 ::: exercise
 With the energy {{eq B}} the ball turns over. Does it stay on the plane? Find what the plane bears at the
-top. answer: By {{sec globe.10}} it bears $1 - 4cc(h-1):kk$ of the weight there, and with {{eq B}} that is
+top.
+answer: By {{sec globe.10}} it bears $1 - 4cc(h-1):kk$ of the weight there, and with {{eq B}} that is
 $(r-1):(r+1) = kk:cc(r+1)^2$, never negative. For our ball it is {{top_0|4}}.
 :::
 */

@@ -1,6 +1,7 @@
 #include "edition/section.hpp"
 #include "globe/asked.hpp"
 #include "globe/ball.hpp"
+#include "globe/readings.hpp"
 
 SECTION(globe, 24, "Rolling, and the friction that it takes")
 
@@ -10,7 +11,7 @@ using namespace globe;
 ## What Euler does
 
 In the second part the ball rolls and does not scrape, and what was given becomes what is asked: how much
-friction does that take? Perfect rolling means that always $ds = a\,d\Phi$ ({{sec globe.02}}). Friction is no
+friction does that take? Perfect rolling means that always $ds = a\,d\Phi$ ({{sec globe.03}}). Friction is no
 longer the fraction of the pressure that rubbing surfaces have; it is whatever keeps the point of contact at
 rest, and $\lambda$ is an unknown of the equations like Π. So Euler puts $ds = a\,d\Phi$ into
 them, removes Π, and looks at the value that $\lambda$ takes. As long as it does not exceed the limit that was
@@ -309,11 +310,7 @@ const Undecided limit{"§24, as in §4, the greatest λ",
                       {"1/2", 0.5},
                       {"1/3", 1 / 3.},
                       "rolling with S + a above 3c, as in §27, where λ = c/(S + a), needs no more than it",
-                      [](double most) {
-                        const double c_ = 0.1, S_and_a = 3.001 * c_;
-                        return most
-                               == between(c_ / S_and_a, 0.5, "not less than is needed, nor above a half");
-                      }};
+                      lets_roll_what_is_safe};
 
 /*!
 ## Go on from here

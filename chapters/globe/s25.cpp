@@ -70,11 +70,6 @@ const auto g = real("g", 15.625, feet, scale, "height fallen from rest in the fi
 const auto asked = asked_energy(3);
 const auto where = asked_place(60_deg);
 
-Energy<Fifty> energy_asked()
-{
-  return asked.fifty(c.fifty(), bb(Ball<Fifty>{a.fifty(), c.fifty(), k.fifty()}), g.fifty());
-}
-
 double rolling_velocity(const Ball<double>& ball, const Energy<double>& e, const Place<double>& at)  // (3)
 {
   return std::sqrt(rolling::velocity_squared(ball, e, at)) * std::sqrt(2 * g) * std::sqrt(ball.c);
@@ -97,7 +92,7 @@ TELL
   const Ball<double> ball{a, c, k};
   require_rolling(ball);
   require(c <= 100 * k, "c", "at most a hundred times k");
-  const Energy<double> e = rounded(energy_asked());
+  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   const Place<double> there = rounded(where.fifty());
   require(there.s * there.s <= e.h, "Phi", "an angle that the ball gets to");
   tell("energy", e.h, "h, the energy as a part of what the top asks for");
@@ -124,7 +119,7 @@ TELL
                      {"forward", "of the living force, forward", percent},
                      {"smooth", "smooth, dΦ/dt", Unit{"1/s"}}});
   const Ball<double> ball{a, c, k};
-  const Energy<double> e = rounded(energy_asked());
+  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   for(int n = 0; n <= 6; ++n)
   {
     const double part = std::sqrt(std::min(e.h, 1.)) * std::sin(n * std::numbers::pi / 12);
@@ -218,7 +213,7 @@ CHECK_THAT("the velocities told are (3) and the acceleration is that of the equa
                                 "a=1e60 c=1e58 k=1e60 h=1e-40 Phi=1e-21rad", "zeta=12"))
   {
     const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Place<Fifty> at = where.fifty();
     const Fifty Phi = where.angle(), C = ball.c * (e.h - e.from_top), g_ = g.fifty();
     // h − sin² ½Φ loses what the two have in common; of the place an ulp is left
@@ -291,7 +286,7 @@ CHECK_THAT("the way and the portrait are (3), and §11 on a smooth plane")
   for(const Told& now : told_at("", "c=0.5 k=0.5 g=0.5 h=0.9 Phi=30", "a=1e60 c=1e58 k=1e60 h=1e-10 Phi=0"))
   {
     const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Fifty C = ball.c * (2 * e.h - 1), most = e.h < 1 ? Fifty(2 * asin(sqrt(e.h))) : exact::pi();
     int n = 0;
     for(const auto& row : now.rows("way"))

@@ -108,16 +108,11 @@ const auto g = real("g", 15.625, feet, scale, "height fallen in the first second
 const auto asked = asked_energy(3);
 const auto where = asked_place(60_deg);
 
-Energy<Fifty> energy_asked()
-{
-  return asked.fifty(c.fifty(), bb(Ball<Fifty>{a.fifty(), c.fifty(), k.fifty()}), g.fifty());
-}
-
 TELL
 {
   const Ball<double> ball{a, c, k};
   require_rolling(ball);
-  const Energy<double> e = rounded(energy_asked());
+  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   const Place<double> there = rounded(where.fifty());
   require(there.s * there.s <= e.h, "Phi", "an angle that the ball gets to");
   tell("energy", e.h, "h, the energy as a part of what the top asks for");
@@ -195,7 +190,7 @@ double lambda_by_accelerations(const Ball<double>& ball, double ww, double Phi)
 TELL
 {
   const Ball<double> ball = in_own_measure(Ball<double>{a, c, k});
-  const Energy<Fifty> exact_e = energy_asked();
+  const Energy<Fifty> exact_e = asked.rolling(a, c, k, g);
   const Place<Fifty> exact_at = where.fifty();
   const Energy<double> e = rounded(exact_e);
   const Place<double> at = rounded(exact_at);
@@ -259,7 +254,7 @@ CHECK_THAT("what is told, and what the race comes to, is what the motion asks fo
               "from_top=1e-20 psi=1e-9rad", "h=1e30 c=1e-15", "zeta=7 g=2", "h=9.67"))
   {
     const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Place<Fifty> at = where.fifty();
     const auto m = by_motion(ball, e, at);
     const Fifty u = at.c * at.c - at.s * at.s, y = ball.a - ball.c * u,
@@ -291,7 +286,8 @@ CHECK_THAT("near the top, and with G close to the plane, (C) keeps its digits, a
 {
   for(const Told& now : told_at("psi=1e-9rad", "c=0.999999 k=1e-6 Phi=1e-6rad"))
   {
-    const Fifty exact = by_motion({a.fifty(), c.fifty(), k.fifty()}, energy_asked(), where.fifty()).lambda;
+    const Fifty exact =
+        by_motion({a.fifty(), c.fifty(), k.fifty()}, asked.rolling(a, c, k, g), where.fifty()).lambda;
     CHECK(now.method("lambda", "without S, (C)")
           == within_relative(exact, 1e-9, "an ulp of c is 1e-10 of a − c"));
     const Ball<double> ball{a, c, k};

@@ -47,8 +47,8 @@ The conclusion is right for the ball that rocks or turns over slowly. As a rule 
 {{eq 2}} to {{eq 5}} fail in four ways.
 
 *The place.* The greatest friction is not needed at 90°. With the energy for which {{eq 2}} gives nothing at
-all our ball needs {{lambda_none|3}} at {{Phi_none|4}}°, by (1). And a ball that rocks by less than 90° never
-gets there; it needs most in between, or where it comes to rest.
+all our ball needs {{lambda_none|3}} at {{Phi_none|4}}°, by {{eq 1}}. And a ball that rocks by less than 90°
+never gets there; it needs most in between, or where it comes to rest.
 
 *The side.* $\lambda$ may be negative. The fast ball has to be pushed on, $S + a$ is negative there, and the
 condition is $m < -3$, not $m > 3$. With $m = 3$ our ball has by {{eq 4}} a $C$ of {{C_plus|4}} feet, less
@@ -64,7 +64,15 @@ while
 
 $$ kk \ge (a+c)(3c-a), \qquad\text{that is}\quad c \le \tfrac13\bigl(\sqrt{4aa+3kk}-a\bigr); \tag{A} $$
 
-with more eccentricity it is lost before, at an angle below 180°.
+with more eccentricity it is lost before, at an angle below 180°, near it at first. At the angle Φ the
+rolling ball presses no more when its energy has grown to
+
+$$ h = \sin^2\tfrac12\Phi + \frac{D\,(kk+yy)}{4cc\,\bigl(ac(1+\cos^2\Phi) - (aa+cc+kk)\cos\Phi\bigr)},
+   \tag{B} $$
+
+with $y = a - c\cos\Phi$ and $D = aa+cc+kk-2ac\cos\Phi$; where the divisor is not positive no energy brings
+it so far. The least of all these energies is the one with which the pressure is first lost, and its angle
+the place; at the top {{eq B}} is $1 + \bigl((a+c)^2+kk\bigr)/4cc$.
 
 What is right is a set of windows. At each angle the friction suffices from one energy, or from the least that
 gets there, up to another; together they leave one interval of energies in which the ball rolls for ever, or
@@ -116,11 +124,6 @@ const auto asked = asked_energy(3);
 const auto mu =
     real("mu", 1. / 3, none, closed(1e-3, 10), "friction over pressure that the plane can give");
 
-Energy<Fifty> energy_asked()
-{
-  return asked.fifty(c.fifty(), bb(Ball<Fifty>{a.fifty(), c.fifty(), k.fifty()}), g.fifty());
-}
-
 double energy_of(double C)
 {
   return (1 + C / c) / 2;
@@ -132,7 +135,7 @@ TELL
   require(c >= 1e-6 * a && c <= 100 * a, "c", "between a millionth of a and a hundred a");
   require(k >= 1e-4 * std::max<double>(a, c) && k <= 100 * a, "k",
           "between 1e-4 of a and c and a hundred a");
-  const Energy<double> e = rounded(energy_asked());
+  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   const auto most = rolling::greatest_friction(ball, e);
   const double C = c * (2 * e.h - 1);
   const auto rolls = rolling::windows(ball, mu);
@@ -179,13 +182,15 @@ TELL
   auto& rolls = table("rolls", "Energies with which it rolls for ever", {{"from", "from"}, {"to", "to"}});
   for(const auto& window : rolling::windows({a, c, k}, mu))
     rolls.row({window.from, window.to});
-  auto& lost = table("lost", "Where the pressure is first lost",
-                     {{"c", "c (feet)"}, {"h", "energy"}, {"Phi", "Φ", degrees, 9}});
-  for(const double part : {0.25, 0.5, 1.0, 1.25, 1.5})
+  auto& lost = table(
+      "lost", "Where the pressure is first lost",
+      {{"c", "c (feet)"}, {"h", "energy"}, {"Phi", "Φ", degrees, 9}, {"h_top", "energy, at the top"}});
+  for(const double part : {0.5, 1.0, 1.01, 1.25, 1.5})
   {
     const double c_ = part * rolling::eccentricity_of_early_loss<double>(a, k);
     const auto first = rolling::loss_of_pressure(Ball<double>{a, c_, k});
-    lost.row({c_, first.h, first.Phi});
+    const double to_top = (a + c_) / c_, turning = k / c_;
+    lost.row({c_, first.h, first.Phi, 1 + (to_top * to_top + turning * turning) / 4});
   }
 }
 
@@ -245,7 +250,7 @@ CHECK_THAT(
                                 "zeta=9", "c=0.001 k=20 h=1e-40", "from_top=1e-12 c=0.4"))
   {
     const Fifty a_ = a.fifty(), c_ = c.fifty(), k_ = k.fifty();
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Fifty C = c_ * (2 * e.h - 1), A = a_ * a_ + k_ * k_;
     const auto most = rolling::greatest_friction(Ball<Fifty>{a_, c_, k_}, e);
     const Forces there = forces(a_, c_, k_, e.h, most.Phi),
@@ -274,6 +279,52 @@ CHECK_THAT(
     CHECK(now.value("lambda_none") == infinite("the pressure is lost with less energy"));
 }
 
+Fifty without_pressure(const Ball<Fifty>& ball, const Fifty& Phi)  // (B)
+{
+  const auto& [a_, c_, k_] = ball;
+  const Fifty u = cos(Phi), y = a_ - c_ * u, D = y * y + pow(c_ * sin(Phi), 2) + k_ * k_;
+  const Fifty divisor = 4 * c_ * c_ * (a_ * c_ * (1 + u * u) - (a_ * a_ + c_ * c_ + k_ * k_) * u);
+  return divisor > 0 ? Fifty(pow(sin(Phi / 2), 2) + D * (k_ * k_ + y * y) / divisor) : Fifty(1e300);
+}
+
+CHECK_THAT("with the energy (B) the plane bears nothing there, and the loss told is the least of them all")
+{
+  for(const Told& now : told_at("", "c=0.5 k=0.5", "k=0.1 h=0.5 c=0.9", "a=2 c=3 k=0.7 h=0.1"))
+  {
+    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    const auto loss = rolling::loss_of_pressure(ball);
+    CHECK(now.value("h_loss") == within_ulps(without_pressure(ball, loss.Phi), 2, "the library's bound"));
+    for(int n = 1; n <= 120; ++n)
+    {
+      const Fifty at = n * exact::pi() / 120, h = without_pressure(ball, at);
+      CHECK(h == between(loss.h * (1 - 1e-40), 1e300, "the least"));
+      if(h < 1e300)
+        CHECK(forces(ball.a, ball.c, ball.k, h, at).pressure == within(0, 1e-40, "by the motion"));
+    }
+  }
+}
+
+CHECK_THAT(
+    "(A) is the bound exactly: a billionth part below it the top is first, a billionth above it is not")
+{
+  for(const Told& now : told_at("", "k=1.5", "a=3 k=0.01"))
+  {
+    const Fifty a_ = a.fifty(), k_ = k.fifty(), bound = (sqrt(4 * a_ * a_ + 3 * k_ * k_) - a_) / 3;
+    CHECK(now.value("c_early", feet) == within_ulps(bound, 4, "a root and a difference"));
+    for(const int side : {-1, 1})
+    {
+      const Fifty c_ = bound * (1 + side * Fifty(1e-9)), BB = pow(a_ + c_, 2) + k_ * k_;
+      const Fifty h = 1 + BB / (4 * c_ * c_);
+      CHECK(forces(a_, c_, k_, h, exact::pi()).pressure == within(0, 1e-45, "none at the top"));
+      const Fifty before = forces(a_, c_, k_, h, exact::pi() - 1e-7).pressure;
+      CHECK(Fifty(-side * before) == between(1e-30, 1, "positive below the bound, negative above it"));
+      if(side < 0)
+        for(int n = 0; n < 200; ++n)
+          CHECK(forces(a_, c_, k_, h, n * exact::pi() / 200).pressure == between(1e-10, 1e9, "it bears"));
+    }
+  }
+}
+
 CHECK_THAT("where the pressure is told to be lost it vanishes, and with less energy nowhere")
 {
   for(const Told& now : told_at("", "k=1.5", "k=0.1 h=0.5 c=0.9", "c=1 k=1e-4 h=0.4"))
@@ -300,6 +351,9 @@ CHECK_THAT("where the pressure is told to be lost it vanishes, and with less ene
       CHECK(row.value("h") == within_relative(first.h, 1e-12, "the roundings of a and k"));
       CHECK(row.value("Phi", degrees)
             == within(first.Phi, 1e-6, "half the digits where (A) is just fulfilled"));
+      CHECK(
+          row.value("h_top")
+          == within_relative(without_pressure({ball.a, c_, ball.k}, exact::pi()), 1e-15, "some roundings"));
       CHECK(row.value("c") == between(0.05, 2, "parts of the bound"));
     }
   }
@@ -410,7 +464,7 @@ CHECK_THAT(
         CHECK(row.value("from") == within(0, 0, "a ball that rocks by very little rolls"));
       for(int n = 1; n < 8; ++n)
         CHECK(enough(from + n * (to - from) / 8));
-      rolls = rolls || (energy_asked().h > from && energy_asked().h < to);
+      rolls = rolls || (asked.rolling(a, c, k, g).h > from && asked.rolling(a, c, k, g).h < to);
     }
     CHECK(now.value("verdict") == (rolls ? "rolls for ever" : "does not roll for ever"));
     CHECK(now.value("h_limit") == within(now.rows("rolls").back().at("to"), 0, "the last of them"));
@@ -510,8 +564,9 @@ const Emendation third{
 /*!
 ## Notes
 
-A rolling ball never goes straight from rolling into the air: where the pressure vanishes λ is infinite, so
-that it scrapes before. What it then does is another motion, and {{sec globe.08}} has its equations.
+A rolling ball never goes straight from rolling into the air: as long as it has some $k$, where the pressure
+vanishes λ is infinite, so that it scrapes before. What it then does is another motion, and {{sec globe.08}}
+has its equations.
 
 ## Go on from here
 
@@ -537,5 +592,29 @@ CHECK_THAT("on ice our ball rolls while at rest it asks for no more than a hundr
     }
     CHECK(now.value("ice_angle", degrees) == within_relative(low, 1e-12, "the windows' bound"));
     CHECK(now.value("ice") == within_relative(pow(sin(low / 2), 2), 1e-12, "the windows' bound"));
+  }
+}
+
+/*!
+::: exercise
+A hoop without weight carries a heavy point on its rim, $c = a$ and $k = 0$ (*Littlewood's hoop*). Let go with
+the point at the top it begins to roll. Where is it off the plane?
+answer: {{eq B}} becomes $h = 1 - \cos\Phi$, and from the top $h = 1$: the pressure, then $-\cos\Phi$ of the
+weight, is gone when the point has come down to 90°, the height of the centre. The friction goes with it; λ is
+$\cot\frac12\Phi$ and grows to 1 only. Where there is no $k$ a body may go straight from rolling into the air.
+:::
+*/
+
+CHECK_THAT(
+    "the hoop without weight bears −cos Φ from the top down to 90°, and asks for the cotangent of Φ/2")
+{
+  for(const int degrees_ : {170, 120, 91, 90})
+  {
+    const Fifty at = degrees_ * exact::pi() / 180, h = without_pressure({1, 1, 0}, at);
+    const Forces now = forces(1, 1, 0, 1, at);
+    CHECK(now.pressure == within(-cos(at), 1e-45, "fifty digits"));
+    CHECK(now.friction * tan(at / 2) == within(now.pressure, 1e-45, "fifty digits"));
+    CHECK(h == within(1 - cos(at), 1e-45, "(B)"));
+    CHECK(forces(1, 1, 0, h, at).pressure == within(0, 1e-45, "fifty digits"));
   }
 }

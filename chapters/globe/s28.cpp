@@ -89,11 +89,6 @@ const auto asked = asked_energy(0.5);
 const auto where = asked_place(60_deg);
 const auto t = real("t", 0.3, seconds, closed(0, 1e100), "time since the lowest place");
 
-Energy<Fifty> energy_asked()
-{
-  return asked.fifty(c.fifty(), bb(Ball<Fifty>{a.fifty(), c.fifty(), k.fifty()}), g.fifty());
-}
-
 double second()  // what one second is in τ
 {
   return std::sqrt(2 * g) * std::sqrt(c);
@@ -114,7 +109,7 @@ TELL
   const Ball<double> ball{a, c, k};
   require_rolling(ball);
   require(c <= 1e6 * k, "c", "at most a million k");
-  const Energy<double> e = rounded(energy_asked());
+  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   const Place<double> at = rounded(where.fifty());
   const double whole = e.from_top == 0 ? 600 * std::hypot(a + c, k) : 1e6 * rolling::quarter(ball, e);
   require(t <= whole / second(), "t", "a time of fewer turns");
@@ -122,8 +117,9 @@ TELL
   tell("energy", e.h, "h, the energy as a part of what the top asks for");
   tell("below_top", e.from_top, "1 − h");
   tell("t_Phi",
-       where.fifty().s * where.fifty().s <= energy_asked().h ? rolling::time(ball, e, at) / second()
-                                                             : infinity,
+       where.fifty().s * where.fifty().s <= asked.rolling(a, c, k, g).h
+           ? rolling::time(ball, e, at) / second()
+           : infinity,
        seconds, "from the lowest place to Φ, by (A)");
   tell("t_smooth", smooth_to_place(e, at), seconds, "the same on a smooth plane, with this h");
   tell("t_1", rolling::separatrix_time(ball, at) / second(), seconds,
@@ -146,7 +142,7 @@ TELL
 {
   curve("motion", {"t", "rolling", "smooth"}, [](Curve& motion) {
     const Ball<double> ball{a, c, k};
-    const Energy<double> e = rounded(energy_asked());
+    const Energy<double> e = rounded(asked.rolling(a, c, k, g));
     const double end =
         e.from_top == 0 ? 8 * std::hypot(a + c, k) : (e.turns_over() ? 2 : 4) * rolling::quarter(ball, e);
     for(int n = 0; n <= 120; ++n)
@@ -180,7 +176,7 @@ const std::vector<int> counts{4, 8, 16, 32};
 TELL
 {
   const Ball<double> ball{a, c, k};
-  const Energy<Fifty> exact_e = energy_asked();
+  const Energy<Fifty> exact_e = asked.rolling(a, c, k, g);
   const Place<Fifty> exact_at = where.fifty();
   if(exact_at.s == 0 || exact_at.s * exact_at.s > exact_e.h || (exact_e.from_top == 0 && exact_at.c == 0))
     return;  // no time, or none that ends
@@ -212,7 +208,7 @@ CHECK_THAT("the times and angles told are those of the integral (2), from rest t
                                 "a=1 c=1 k=1e-5 Phi=90 h=0.9", "a=1e50 c=1e49 k=1e50 g=1e40 h=30"))
   {
     const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Place<Fifty> at = where.fifty();
     const Fifty one = sqrt(2 * g.fifty() * ball.c);
     CHECK(now.value("energy") == within_ulps(e.h, 1, "rounded once"));
@@ -246,7 +242,7 @@ CHECK_THAT("the equations of motion bring the ball to the angle asked for in the
   for(const Told& now : told_at("", "h=3 Phi=150", "zeta=15 Phi=90 c=0.5 k=0.5", "h=1 Phi=120"))
   {
     const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Fifty g_ = g.fifty(), one = sqrt(2 * g_ * ball.c);
     const auto motion = [&](const Fifty&, const exact::State& s) {
       return exact::State{s[1], rolling_accelerations<Fifty>(ball, g_, s[0], s[1]).Phi};
@@ -277,7 +273,7 @@ CHECK_THAT("the table, the race and the figure are the integral, the rule in fif
   for(const Told& now : told_at("", "c=0.5 k=0.5 g=0.5 Phi=20", "from_top=1e-9 psi=0.01 k=2"))
   {
     const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Place<Fifty> at = where.fifty();
     const Fifty one = sqrt(2 * g.fifty() * ball.c);
     for(const auto& row : now.rows("energies"))
@@ -362,3 +358,22 @@ const Emendation C_for_c{"§28, the lower root",
                                   == within_relative(2 * sqrt(our_g<Fifty>) / a_tenth_later()[1], 1e-13,
                                                      "2√g dt/dΦ of the motion");
                          }};
+
+/*!
+## Go on from here
+
+::: exercise
+A hoop without weight carries a heavy point on its rim, $c = a$ and $k = 0$. How long does it take, rolling,
+from the lowest place to rest?
+answer: In {{eq 2}} the upper root is then $2a\sin\frac12\Phi$, and with $\cos\frac12\Phi$ for the variable
+all is elementary, whatever the energy: $t\sqrt{2gc} = 2a\operatorname{artanh}\sqrt h$. Very small swings take
+no time at all. `--c 1 --k 1e-9` comes near it.
+:::
+*/
+
+CHECK_THAT("with c = a the quarter of a swing tends to 2a artanh √h as k vanishes, for every energy")
+{
+  for(const Fifty& h : {Fifty(1e-6), Fifty(1) / 2, Fifty(1) - 1e-6})
+    CHECK(rolling::quarter(Ball<Fifty>{3, 3, 1e-15}, energy(h))
+          == within_relative(6 * atanh(sqrt(h)), 1e-20, "what is left is of the order kk l k"));
+}

@@ -107,11 +107,6 @@ const auto k = real("k", 0.6, feet, scale, "radius of gyration: the moment of in
 const auto g = real("g", 15.625, feet, scale, "height fallen from rest in the first second");
 const auto asked = asked_energy(0.5);
 
-Energy<Fifty> energy_asked()
-{
-  return asked.fifty(c.fifty(), bb(Ball<Fifty>{a.fifty(), c.fifty(), k.fifty()}), g.fifty());
-}
-
 double second()  // what one second is in τ
 {
   return std::sqrt(2 * g) * std::sqrt(c);
@@ -121,7 +116,7 @@ TELL
 {
   const Ball<double> ball{a, c, k};
   require_rolling(ball);
-  const Energy<double> e = rounded(energy_asked());
+  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   const double zeta = velocity_of_energy<double>(c, bb(ball), g, e);
   tell("energy", e.h, "h, the energy as a part of what the top asks for, (A)");
   tell("below_top", e.from_top, "1 − h");
@@ -217,7 +212,7 @@ Real by_steps(const Ball<Real>& ball, const Energy<Real>& e, int n,
 TELL
 {
   const Ball<double> ball{a, c, k};
-  const Energy<double> e = rounded(energy_asked());
+  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   if(e.from_top == 0)
     return;  // nothing finite to compare
   std::vector<Method> ways;
@@ -229,8 +224,8 @@ TELL
   if(e.h != 1)
     ways.push_back({"Carlson, 1 − h subtracted", [=] { return rolling::quarter(ball, energy(e.h)); }});
   ways.push_back({"Carlson, 1 − h given", [=] { return rolling::quarter(ball, e); }});
-  race("quarter", "t√(2gc)", rolling::quarter(Ball<Fifty>{a.fifty(), c.fifty(), k.fifty()}, energy_asked()),
-       ways);
+  race("quarter", "t√(2gc)",
+       rolling::quarter(Ball<Fifty>{a.fifty(), c.fifty(), k.fifty()}, asked.rolling(a, c, k, g)), ways);
 }
 
 /*!
@@ -247,7 +242,7 @@ CHECK_THAT("the times told are those of the integral (5), and C and h are those 
               "a=1 c=1 k=1e-8", "from_top=-1e-200 k=20", "a=1e50 c=1e49 k=1e50 g=1e-40 h=1e20"))
   {
     const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Fifty g_ = g.fifty(), one = sqrt(2 * g_ * ball.c), zeta = sqrt(8 * g_ * ball.c * e.h / bb(ball));
     CHECK(now.value("energy") == within_ulps(e.h, 1, "rounded once"));
     CHECK(now.value("below_top") == within_ulps(e.from_top, 1, "rounded once"));
@@ -297,7 +292,7 @@ CHECK_THAT("the table, the figure and the race are the integral, (B), and the ru
   for(const Told& now : told_at("", "from_top=1e-15", "from_top=-1e-3 c=0.5 k=0.5 g=0.5"))
   {
     const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Fifty one = sqrt(2 * g.fifty() * ball.c);
     for(const auto& row : now.rows("tops"))
     {

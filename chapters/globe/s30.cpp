@@ -86,11 +86,6 @@ const auto g = real("g", 15.625, feet, scale, "height fallen from rest in the fi
 const auto asked = asked_energy(0.05);
 const auto t = real("t", 0.6, seconds, closed(0, 1e100), "time since the lowest place");
 
-Energy<Fifty> energy_asked()
-{
-  return asked.fifty(c.fifty(), bb(Ball<Fifty>{a.fifty(), c.fifty(), k.fifty()}), g.fifty());
-}
-
 double ratio(const Ball<double>& ball)  // r
 {
   const double b = std::hypot(ball.a - ball.c, ball.k);
@@ -106,7 +101,7 @@ TELL
 {
   const Ball<double> ball{a, c, k};
   require_rolling(ball);
-  const Energy<double> e = rounded(energy_asked());
+  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   require(e.from_top > 0, "h", "below 1, where the ball rocks");
   const double b = std::hypot(a - c, k), second = std::sqrt(2 * g) * std::sqrt(c), n = second / b;
   const double zeta = velocity_of_energy<double>(c, bb(ball), g, e), swing = std::numbers::pi / n;
@@ -177,8 +172,9 @@ alt: The time of a swing over that of a small one, against the amplitude. The ex
 steeply; one member of the series stays below it from 60 degrees on, two members follow it further; the curve
 for the smooth plane lies lowest.
 
-How much longer larger swings take: rolling (blue), by one and by two members of (A) (dashed), and on a smooth
-plane (grey). Rolling departs sooner from Euler's law, since the ball that rolls up has more and more to turn.
+How much longer larger swings take: rolling (blue), by one and by two members of {{eq A}} (dashed), and on a
+smooth plane (grey). Rolling departs sooner from Euler's law, since the ball that rolls up has more and more
+to turn.
 :::
 
 ## Speed against error
@@ -197,9 +193,9 @@ Fifty exact_excess(const Ball<Fifty>& ball, const Energy<Fifty>& e)
 TELL
 {
   const Ball<double> ball{a, c, k};
-  const Energy<double> e = rounded(energy_asked());
+  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   const double r = ratio(ball), small = std::numbers::pi / 2 * std::hypot(a - c, k);
-  race("excess", "T/T₀ − 1", exact_excess({a.fifty(), c.fifty(), k.fifty()}, energy_asked()),
+  race("excess", "T/T₀ − 1", exact_excess({a.fifty(), c.fifty(), k.fifty()}, asked.rolling(a, c, k, g)),
        {{"one member of (A)", [=] { return first_order(r, e.h); }, "series"},
         {"two members of (A)", [=] { return second_order(r, e.h); }, "series"},
         {"T over T₀, less 1", [=] { return rolling::quarter(ball, e) / small - 1; }},
@@ -220,7 +216,7 @@ CHECK_THAT("the lengths and times told are those of the motion, small or not")
               "a=1 c=1 k=1e-4 h=0.2 t=0.1", "zeta=0.1"))
   {
     const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Fifty one = sqrt(2 * g.fifty() * ball.c), b = sqrt(bb(ball)), small = exact::pi() * b / one;
     const Fifty r = 4 * ball.a * ball.c / bb(ball);
     CHECK(now.value("energy") == within_ulps(e.h, 1, "rounded once"));
@@ -270,7 +266,7 @@ CHECK_THAT(
     const auto motion = [&](const Fifty&, const exact::State& s) {
       return exact::State{s[1], rolling_accelerations<Fifty>(ball, g_, s[0], s[1]).Phi};
     };
-    const Fifty zeta = 2 * n * sqrt(energy_asked().h);
+    const Fifty zeta = 2 * n * sqrt(asked.rolling(a, c, k, g).h);
     CHECK(now.value("Phi", degrees)
           == within(exact::solve(motion, 0, {0, zeta}, time).y[0], 1e-14 * double(zeta * (time + 1 / n)),
                     "ten ulps of the time"));
@@ -307,7 +303,7 @@ CHECK_THAT("the table, the race and the figure are the excess in fifty digits")
             == within(second_order(r, e.h), 4e-15 * double((1 + r) * (1 + (3 + r) * e.h)),
                       "of a difference"));
     }
-    const Energy<Fifty> e = energy_asked();
+    const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Fifty exact = exact_excess(ball, e);
     const Fifty judged = oracle::rolling_quarter(ball, e) / (exact::pi() / 2 * sqrt(bb(ball))) - 1;
     CHECK(now.exact("excess")

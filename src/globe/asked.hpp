@@ -27,6 +27,19 @@ struct Asked_energy
     edition::require(e.h >= 1e-100 && e.h <= 1e100, "zeta", "an h between 1e-100 and 1e100");
     return e;
   }
+  /// The same of a ball on a smooth plane, where kk is k k.
+  Energy<exact::Fifty> smooth(const edition::Parameter<double>& c, const edition::Parameter<double>& k,
+                              const edition::Parameter<double>& g) const
+  {
+    return fifty(c.fifty(), k.fifty() * k.fifty(), g.fifty());
+  }
+  /// And of one that rolls, where it is bb.
+  Energy<exact::Fifty> rolling(const edition::Parameter<double>& a, const edition::Parameter<double>& c,
+                               const edition::Parameter<double>& k,
+                               const edition::Parameter<double>& g) const
+  {
+    return fifty(c.fifty(), bb(Ball<exact::Fifty>{a.fifty(), c.fifty(), k.fifty()}), g.fifty());
+  }
 };
 
 /// Declares them.
