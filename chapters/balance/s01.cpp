@@ -1,5 +1,6 @@
 #include "balance/hung.hpp"
 #include "balance/motion.hpp"
+#include "balance/scene.hpp"
 #include "edition/section.hpp"
 
 #include <Eigen/Cholesky>
@@ -178,6 +179,11 @@ TELL
   });
 }
 
+TELL
+{
+  scene_on_shears("seen", hung(), pulled(), 2 * transfer(hung()).time, modes(hung()).back().frequency);
+}
+
 /*!
 Bernoulli's four observations, in their order: while P makes its first swing, Q moves by {{Q_first|2}} of the
 pull. After {{T|4}} s, or {{swings|3}} swings, P is at rest but for {{P_rest|2}}, and Q swings by
@@ -194,6 +200,15 @@ middle and comes to rest at the end. Thin lines enclose both.
 
 One pan moves, comes to rest, the other has it, and back. The thin lines are those of two swings that are
 added, $n\cos$ and $n\sin$ of half their difference of phase.
+:::
+
+::: scene seen
+alt: From a high point hang the shears, from them the level beam, and from its ends two threads with a pan
+each, the left one drawn aside.
+
+What Bernoulli saw, in true time and in the instrument's proportions. Only the blue pan P is pulled. Watch the
+red one: after {{T|3}} s it has the whole motion and P is at rest, after twice that time P has it again. Then
+the scene begins anew.
 :::
 
 ## Checks
@@ -320,6 +335,27 @@ CHECK_THAT("the motion told, and how far each member swings, are those of points
       CHECK(rows[k].value("Q", percent) == within(seen[k].Q / n, room, why));
     }
     CHECK(now.value("looks") == 512);
+  }
+}
+
+CHECK_THAT("the scene shows the points on rods where that rule brings them")
+{
+  for(const Told& now : told_at("", "n=30 L=3 M=40 h=6 t=7", "n=0.01 M=20 t=40 h=5"))
+  {
+    Rods rods;
+    double last = 0;
+    for(const auto& frame : now.points("seen", 9))
+    {
+      rods.to(frame.at("t"));
+      const Four at = rods.angles();
+      const auto& beam = designed.beam;
+      CHECK(frame.value("t") == between(last, 2.000001 * transfer(hung()).time, "in their order"));
+      last = frame.at("t");
+      for(const auto& column :
+          by_name(joints<double>(h, beam.a, beam.b, at.phi, at.omega, at.eta, at.theta)))
+        CHECK(frame.value(column.first)
+              == within(column.second, 1e-8 * n + 4e-15, "the room of the angles, times the lengths"));
+    }
   }
 }
 
