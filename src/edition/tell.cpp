@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "edition/registry.hpp"
+#include "elementary/names.hpp"
 #include "race/race.hpp"
 
 namespace edition
@@ -182,6 +183,7 @@ void race(const char* name, const char* quantity, const Fifty& exact, const std:
   }
   if(section().wanted.timing)
   {
+    const elementary::Plain_names plain;
     const auto timings = ::race::run(entrants);
     for(std::size_t i = 0; i < timings.size(); ++i)
     {

@@ -1,108 +1,150 @@
 // The C library's names of the elementary functions, for a program in which they are to have the same bits on every machine
 // and in the page: the functions of nearest.hpp. What is linked into a program goes before its libraries, and holds for
-// them, too.
+// them, too. While something is timed they are the C library's own (names.hpp).
 
+#include "elementary/names.hpp"
 #include "elementary/nearest.hpp"
 
+#ifndef __EMSCRIPTEN__
+#include <dlfcn.h>
+#endif
+
 namespace nearest = elementary::nearest;
+
+namespace
+{
+
+#ifdef __EMSCRIPTEN__
+template <auto ours, class... Number>
+double meant(const char*, Number... x)
+{
+  return ours(x...);
+}
+#else
+// Of the programs and libraries after this one the first that has `name`: the C library.
+template <class Function>
+Function* plain(const char* name)
+{
+  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+// `name` is that of `ours`.
+template <auto ours, class... Number>
+double meant(const char* name, Number... x)
+{
+  if(!elementary::Plain_names::asked())
+    return ours(x...);
+  static const auto theirs = plain<double(Number...)>(name);
+  return theirs(x...);
+}
+#endif
+
+}  // namespace
 
 extern "C"
 {
   double sin(double x)
   {
-    return nearest::sin(x);
+    return meant<&nearest::sin>("sin", x);
   }
   double cos(double x)
   {
-    return nearest::cos(x);
+    return meant<&nearest::cos>("cos", x);
   }
   double tan(double x)
   {
-    return nearest::tan(x);
+    return meant<&nearest::tan>("tan", x);
   }
   double asin(double x)
   {
-    return nearest::asin(x);
+    return meant<&nearest::asin>("asin", x);
   }
   double acos(double x)
   {
-    return nearest::acos(x);
+    return meant<&nearest::acos>("acos", x);
   }
   double atan(double x)
   {
-    return nearest::atan(x);
+    return meant<&nearest::atan>("atan", x);
   }
   double exp(double x)
   {
-    return nearest::exp(x);
+    return meant<&nearest::exp>("exp", x);
   }
   double exp2(double x)
   {
-    return nearest::exp2(x);
+    return meant<&nearest::exp2>("exp2", x);
   }
   double expm1(double x)
   {
-    return nearest::expm1(x);
+    return meant<&nearest::expm1>("expm1", x);
   }
   double log(double x)
   {
-    return nearest::log(x);
+    return meant<&nearest::log>("log", x);
   }
   double log2(double x)
   {
-    return nearest::log2(x);
+    return meant<&nearest::log2>("log2", x);
   }
   double log10(double x)
   {
-    return nearest::log10(x);
+    return meant<&nearest::log10>("log10", x);
   }
   double log1p(double x)
   {
-    return nearest::log1p(x);
+    return meant<&nearest::log1p>("log1p", x);
   }
   double cbrt(double x)
   {
-    return nearest::cbrt(x);
+    return meant<&nearest::cbrt>("cbrt", x);
   }
   double sinh(double x)
   {
-    return nearest::sinh(x);
+    return meant<&nearest::sinh>("sinh", x);
   }
   double cosh(double x)
   {
-    return nearest::cosh(x);
+    return meant<&nearest::cosh>("cosh", x);
   }
   double tanh(double x)
   {
-    return nearest::tanh(x);
+    return meant<&nearest::tanh>("tanh", x);
   }
   double asinh(double x)
   {
-    return nearest::asinh(x);
+    return meant<&nearest::asinh>("asinh", x);
   }
   double acosh(double x)
   {
-    return nearest::acosh(x);
+    return meant<&nearest::acosh>("acosh", x);
   }
   double atanh(double x)
   {
-    return nearest::atanh(x);
+    return meant<&nearest::atanh>("atanh", x);
   }
   double atan2(double y, double x)
   {
-    return nearest::atan2(y, x);
+    return meant<&nearest::atan2>("atan2", y, x);
   }
   double pow(double x, double y)
   {
-    return nearest::pow(x, y);
+    return meant<&nearest::pow>("pow", x, y);
   }
   double hypot(double x, double y)
   {
-    return nearest::hypot(x, y);
+    return meant<&nearest::hypot>("hypot", x, y);
   }
   /// The compiler asks for both at once where a program asks for each.
   void sincos(double x, double* sine, double* cosine)
   {
+#ifndef __EMSCRIPTEN__
+    if(elementary::Plain_names::asked())
+    {
+      static const auto theirs = plain<void(double, double*, double*)>("sincos");
+      return theirs(x, sine, cosine);
+    }
+#endif
     *sine = nearest::sin(x);
     *cosine = nearest::cos(x);
   }
