@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "exact/quadrature.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/curve.hpp"
 #include "tautochrone/euler.hpp"
 #include "tautochrone/member.hpp"
@@ -15,8 +16,8 @@ using namespace tautochrone;
 The integrals of {{sec tautochrone.31}} can all be had in finite terms, and with them any point of the
 tautochrone. The letter $l$ stands for the natural logarithm.
 
-$$ \begin{aligned} \int\!d\varphi\cos\varphi = \sin\varphi&, \qquad
-  \int\!d\varphi\sin\varphi\cos\varphi = \tfrac12\sin^2\varphi, \\
+$$ \begin{aligned} \int\!d\varphi\cos\varphi &= \sin\varphi, \\
+  \int\!d\varphi\sin\varphi\cos\varphi &= \tfrac12\sin^2\varphi, \\
   \int\!d\varphi\cos^2\varphi &= \tfrac12\varphi + \tfrac12\sin\varphi\cos\varphi, \end{aligned} \tag{1} $$
 
 $$ \int\!\frac{d\varphi}{\cos^3\varphi} = \frac{\sin\varphi}{2\cos^2\varphi} +
@@ -38,10 +39,10 @@ $$ \int\!\frac{d\varphi\sin^2\varphi}{\cos^6\varphi} = \frac{\sin\varphi}{5\cos^
 
 With these values the arc is
 
-$$ \begin{aligned} z = a\sin\varphi &+ \frac{kk}a\sin\varphi - \frac{kk\sin\varphi}{2a\cos^2\varphi} -
-  \frac{kk}{2a{{entry half}}}\,l\tan(45^\circ+\tfrac12\varphi) \\
-  &- \frac{k^4{{entry fourth}}\sin\varphi}{a^3\cos^6\varphi} + \frac{k^4\sin\varphi}{4a^3\cos^4\varphi} +
-  \frac{3k^4\sin\varphi}{8a^3\cos^2\varphi} \\
+$$ \begin{aligned} z = a\sin\varphi &+ \frac{kk}a\sin\varphi - \frac{kk\sin\varphi}{2a\cos^2\varphi} \\
+  &- \frac{kk}{2a{{entry half}}}\,l\tan(45^\circ+\tfrac12\varphi) \\
+  &- \frac{k^4{{entry fourth}}\sin\varphi}{a^3\cos^6\varphi} + \frac{k^4\sin\varphi}{4a^3\cos^4\varphi} \\
+  &+ \frac{3k^4\sin\varphi}{8a^3\cos^2\varphi} \\
   &+ \frac{3{{entry three}}k^4}{8a^3}\,l\tan(45^\circ+\tfrac12\varphi), \end{aligned} \tag{7} $$
 
 and the two coordinates are
@@ -92,17 +93,18 @@ double x_as_it_stands(double a, double k, double phi)  // (8)
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
 const auto k = real("k", 0.3, metres, scale, "radius of gyration");
-const auto phi = angle("phi", 30_deg, closed(0_deg, 80_deg), "angle GMS, the amplitude of the place");
+const auto phi = angle("phi", 15_deg, closed(0_deg, 80_deg), "angle GMS, the amplitude of the place");
 
 TELL
 {
   const double ratio = k / a;
-  require(ratio >= 1e-10 && ratio <= 1, "k", "from 1e-10 a to a");
+  require(ratio >= 1e-10, "k", "from 1e-10 a to a");
+  const double last = asked_end(ratio, phi);
   tell("r", euler_r<double>(a, k, phi), metres, "GM, the radius of curvature");
   tell("z", euler_z<double>(a, k, phi), metres, "CG, the arc, (7)");
   tell("x", euler_x<double>(a, k, phi), metres, "CQ, the height above the lowest place, (8)");
   tell("y", euler_y<double>(a, k, phi), metres, "QG, the distance from the vertical, (9)");
-  tell("end", end_of_truncated(2, ratio), degrees, "where r has come down to zero: the curve has ended");
+  tell("end", last, degrees, "where r has come down to zero: the curve has ended");
   if(ratio >= 0.02 && ratio < 0.99 && phi <= end(Member::highest, ratio).phi)
     tell("x_exact", a * at(Member::highest, ratio, phi).x, metres,
          "the height of the highest exact curve at this angle");
@@ -113,7 +115,7 @@ TELL
                       {"y", "y", metres, 8},
                       {"x_off", "x less the cycloid's", metres, 4},
                       {"y_off", "y less the cycloid's", metres, 4}});
-  for(int i = 5; i <= 75 && i * 1_deg < end_of_truncated(2, ratio); i += 5)
+  for(int i = 5; i <= 75 && i * 1_deg < last; i += 5)
   {
     const double here = i * 1_deg, x = euler_x<double>(a, k, here), y = euler_y<double>(a, k, here);
     rows.row({here, euler_r<double>(a, k, here), x, y, x - euler_x<double>(a, 0, here),
@@ -484,3 +486,29 @@ const Emendation powers_in_y{"§32, y, the last three terms",
                              {"a³, and cos⁵φ, cos³φ, cos φ", [] { return y_with({}); }},
                              "it is the integral of r dφ cos φ",
                              is_sum(0, 1)};
+
+/*!
+## Go on from here
+
+::: exercise
+For which body does Euler's curve end just at 60°?
+
+answer: With $\cos\varphi = \tfrac12$ the radius of {{sec tautochrone.30}} is
+$\tfrac12 - \tfrac{15}2\kappa - 576\kappa^2$ in parts of $a$, $\kappa = kk:aa$. It is zero for
+$\kappa = 0.02366$, $k = 0.1538\,a$: `--k 0.15382815` ends at 60°.
+:::
+*/
+
+CHECK_THAT(
+    "Euler's curve for k = 0.15382815 a ends at 60°, that for k = a before 17.5°; beyond, it is refused")
+{
+  const double kappa = (std::sqrt(7.5 * 7.5 + 4 * 576 * 0.5) - 7.5) / (2 * 576);
+  for(const Told& now : told_at("k=0.15382815"))
+  {
+    CHECK(double(k) == within_relative(std::sqrt(kappa), 1e-6, "six digits of k and more"));
+    CHECK(now.value("end", degrees) == within_relative(60_deg, 1e-6, "as many of the end"));
+  }
+  CHECK(refused_at("k=1 phi=17.5"));
+  CHECK(!refused_at("k=1 phi=17.4"));
+  CHECK(refused_at("k=0.15382815 phi=60.001"));
+}

@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "exact/quadrature.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/curve.hpp"
 #include "tautochrone/euler.hpp"
 #include "tautochrone/series.hpp"
@@ -20,22 +21,22 @@ $$ s = a - r, \qquad dp = ds\cos\varphi, \qquad dq = ds\sin\varphi, \tag{1} $$
 because the thread, of the length $a$, lies on the cheek with its part $s$ and touches it with the rest.
 From what was found before,
 
-$$ s = a - a\cos\varphi - \frac{kk\cos\varphi}a + \frac{kk}{a\cos^3\varphi} -
-  \frac{6k^4}{a^3{{entry cube_of_a}}\cos^5\varphi} +
-\frac{6k^4}{a^3\cos^7\varphi}, \tag{2} $$
+$$ \begin{aligned} s = a &- a\cos\varphi - \frac{kk\cos\varphi}a + \frac{kk}{a\cos^3\varphi} \\
+  &- \frac{6k^4}{a^3{{entry cube_of_a}}\cos^5\varphi} + \frac{6k^4}{a^3\cos^7\varphi},
+  \end{aligned} \tag{2} $$
 
-$$ \begin{aligned} ds = a\,d\varphi\sin\varphi + \frac{kk\,d\varphi\sin\varphi}a &+
+$$ \begin{aligned} ds = a\,d\varphi\sin\varphi &+ \frac{kk\,d\varphi\sin\varphi}a +
   \frac{3kk\,d\varphi\sin\varphi}{a\cos^4\varphi}
   \\ &- \frac{30k^4d\varphi\sin\varphi}{a^3\cos^6\varphi} +
   \frac{42k^4d\varphi\sin\varphi}{a^3\cos^8\varphi}, \end{aligned} \tag{3} $$
 
-$$ \begin{aligned} dp = a\,d\varphi\sin\varphi\cos\varphi &+ \frac{kk\,d\varphi\sin\varphi\cos\varphi}a
- + \frac{3kk\,d\varphi\sin\varphi}{a\cos^3\varphi} \\ &- \frac{30k^4d\varphi\sin\varphi}{a^3\cos^5\varphi} +
- \frac{42k^4d\varphi\sin\varphi}{a^3\cos^7\varphi}, \end{aligned} \tag{4} $$
+$$ \begin{aligned} dp = a\,d\varphi\sin\varphi\cos\varphi &+ \frac{kk\,d\varphi\sin\varphi\cos\varphi}a \\
+ &+ \frac{3kk\,d\varphi\sin\varphi}{a\cos^3\varphi} - \frac{30k^4d\varphi\sin\varphi}{a^3\cos^5\varphi} \\
+ &+ \frac{42k^4d\varphi\sin\varphi}{a^3\cos^7\varphi}, \end{aligned} \tag{4} $$
 
 $$ \begin{aligned} dq = a\,d\varphi\sin^2\varphi &+ \frac{kk\,d\varphi\sin^2\varphi}a -
-  \frac{3kk\,d\varphi}{a\cos^2\varphi} +
-  \frac{3kk\,d\varphi}{a\cos^4\varphi} \\ &+ \frac{30k^4d\varphi}{a^3\cos^4\varphi} -
+  \frac{3kk\,d\varphi}{a\cos^2\varphi} \\ &+
+  \frac{3kk\,d\varphi}{a\cos^4\varphi} + \frac{30k^4d\varphi}{a^3\cos^4\varphi} \\ &-
   \frac{72k^4d\varphi}{a^3\cos^6\varphi} +
  \frac{42k^4d\varphi}{a^3\cos^8\varphi}. \end{aligned} \tag{5} $$
 
@@ -66,12 +67,12 @@ double dq_over_dphi(double a, double k, double phi)  // (5)
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
 const auto k = real("k", 0.1, metres, scale, "radius of gyration");
-const auto phi = angle("phi", 30_deg, closed(0_deg, 85_deg),
+const auto phi = angle("phi", 15_deg, closed(0_deg, 85_deg),
                        "angle of the thread with the vertical, where it leaves the cheek");
 
 TELL
 {
-  require(k / a <= 1, "k", "at most a");
+  asked_end(k / a, phi);
   tell("s", euler_s<double>(a, k, phi), metres, "AM, the arc on which the thread lies");
   tell("ds", euler_ds<double>(a, k, phi), metres, "ds/dφ, the cheek's radius of curvature");
   tell("dp", dp_over_dphi(a, k, phi), metres, "dp/dφ");
@@ -100,16 +101,16 @@ TELL
 }
 
 /*!
-At 30° the thread lies on the cheek with {{s|8}} m; on Huygens's it would with {{cycloid|8}} m.
+At {{phi|deg0}} the thread lies on the cheek with {{s|8}} m; on Huygens's it would with {{cycloid|8}} m.
 
 ::: figure tautochrone-33
 alt: The cheek's radius of curvature against the angle. The cycloid's is the sine. Euler's with one and
 with two corrections leave it upwards, the second steeply from 45 degrees. The exact one rises to a peak
 above 50 degrees and falls to zero at 71 degrees.
 
-How the cheek is bent, $k = \tfrac1{10}a$: its radius of curvature. Euler's cheek gets ever flatter. That
-which belongs to the highest exact tautochrone is flattest between 50° and 60°, and ends at 71° in a
-second cusp, where $ds = 0$.
+How the cheek is bent, $k = \tfrac1{10}a$: its radius of curvature. Euler's cheek gets flatter as far as it
+goes. That which belongs to the highest exact tautochrone is flattest between 50° and 60°, and ends at 71° in
+a second cusp, where $ds = 0$.
 :::
 
 ## Checks
@@ -144,7 +145,7 @@ CHECK_THAT("arc and bend told are those of (2) to (5), for any a, k and φ, also
            "few digits")
 {
   for(const Told& now :
-      told_at("", "a=2 k=0.7 phi=80", "a=3e60 k=3e58 phi=1e-8", "a=1e-40 k=1e-60 phi=60", "phi=1e-14"))
+      told_at("", "a=2 k=0.7 phi=40", "a=3e60 k=3e58 phi=1e-8", "a=1e-40 k=1e-60 phi=60", "phi=1e-14"))
   {
     const Fifty A = a.fifty(), kk = pow(k.fifty() / A, 2), k4 = kk * kk, c = cos(phi.fifty()),
                 s = sin(phi.fifty());
@@ -173,11 +174,18 @@ CHECK_THAT("in the figure the exact cheek's bend is the slope of the exact radiu
       const Fifty slope_ = (highest(ratio, here + h) - highest(ratio, here - h)) / (2 * h);
       CHECK(all[i].value("ds") == within_relative(-slope_, 1e-10, "the square of the step"));
     }
+    std::size_t flattest{0};
+    for(std::size_t i{0}; i < all.size(); ++i)
+      flattest = all[i].at("ds") > all[flattest].at("ds") ? i : flattest;
+    CHECK(all[flattest].at("phi") == between(50, 60, "where the exact cheek is flattest"));
     CHECK(all.back().value("ds") == within(0, 1e-13, "the end, whose angle is rounded"));
     CHECK(all.back().value("phi")
           == within(atan(Fifty("0.9") / sqrt(ratio)) * 180 / exact::pi(), 1e-13, "the same"));
-    for(const auto& point : now.points("bends", 5))
+    double before = -1;
+    for(const auto& point : now.points("bends"))
     {
+      CHECK(point.at("k4") > before);  // ever flatter
+      before = point.at("k4");
       const Fifty x = Fifty(point.at("phi")) * exact::pi() / 180, c = cos(x), e4 = pow(c, -4),
                   kk = ratio * ratio;
       CHECK(point.value("cycloid") == within(sin(x), 2e-16, "a sine"));
@@ -210,3 +218,46 @@ const Emendation cube_of_a{"§33, the terms with k⁴",
                              const Fifty r = 2 * truncated(2, Fifty(1) / 4)(Fifty(1) / 2);
                              return arc == within_ulps(2 - r, 4, "a few roundings");
                            }};
+
+/*!
+## Go on from here
+
+::: exercise
+How is the cheek bent near the cusp? Compare Euler's with the exact one, whose radius of curvature
+{{eq tautochrone.25 4}} makes begin as $\dfrac{1+\kappa}{1-3\kappa}\,a\varphi$, $\kappa = kk:aa$.
+
+answer: {{eq 3}} begins with $(1 + 4\kappa + 12\kappa^2)\,a\varphi$: the exact factor developed as far as
+$\kappa^2$. For $k = \tfrac3{10}a$, at `--k 0.3 --phi 1e-4`, Euler's is 1.457, where the exact one is 1.493.
+:::
+
+::: exercise
+How much of the thread lies on the cheek when Euler's curve ends?
+
+answer: All of it, $s = a$, since $r = a - s$ has come down to zero; the exact cheek ends sooner, at a second
+cusp, with some thread still free.
+:::
+*/
+
+CHECK_THAT("near the cusp Euler's cheek bends as 1 + 4κ + 12κ², the exact one as (1 + κ) : (1 − 3κ)")
+{
+  for(const Told& now : told_at("k=0.3 phi=1e-4", "k=0.1 phi=1e-5"))
+  {
+    const Fifty kappa = pow(k.fifty(), 2), x = phi.fifty();
+    CHECK(now.value("ds", metres)
+          == within_relative(x * (1 + 4 * kappa + 12 * kappa * kappa), 1e-9, "the square of the angle"));
+    CHECK(
+        -slope<Fifty>(Fifty("1e-4"), highest(k.fifty(), Fifty("1e-4")), k.fifty())
+        == within_relative(Fifty("1e-4") * (1 + kappa) / (1 - 3 * kappa), 1e-6, "the square of the angle"));
+  }
+}
+
+CHECK_THAT(
+    "at the end of Euler's curve all of the thread lies on the cheek; at the exact one's end some is free")
+{
+  for(const char* const at : {"k=0.3 phi=47.828941585", "k=0.1 phi=65.912593386"})
+    for(const Told& now : told_at(at))
+    {
+      CHECK(now.value("s", metres) == within(1, 1e-7, "ten digits of the angle, where s grows fast"));
+      CHECK(highest_end(k.fifty()).r == between(double(k), 1, "of the length 1"));
+    }
+}

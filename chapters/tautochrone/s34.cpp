@@ -1,6 +1,7 @@
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
 #include "exact/quadrature.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/curve.hpp"
 #include "tautochrone/euler.hpp"
@@ -19,33 +20,32 @@ using namespace tautochrone;
 The formulae of {{sec tautochrone.33}}, integrated, give both coordinates of the cheek for any angle, so
 that it can be drawn by points; with that the paper ends. The abscissa $AP$ is
 
-$$ \begin{aligned} p = \tfrac12a\sin^2\varphi &+ \frac{kk\sin^2\varphi}{2a} - \frac{3kk}{2a} +
-  \frac{3kk}{2a\cos^2\varphi} \\
-  &- \frac{15k^4}{2a^3{{entry cube_of_a}}\cos^4\varphi} + \frac{7k^4}{a^3\cos^6\varphi} +
-  \frac{k^4}{2a^3}. \end{aligned} \tag{1} $$
+$$ \begin{aligned} p = \tfrac12a\sin^2\varphi &+ \frac{kk\sin^2\varphi}{2a} - \frac{3kk}{2a} \\
+  &+ \frac{3kk}{2a\cos^2\varphi} - \frac{15k^4}{2a^3{{entry cube_of_a}}\cos^4\varphi} \\
+  &+ \frac{7k^4}{a^3\cos^6\varphi} + \frac{k^4}{2a^3}. \end{aligned} \tag{1} $$
 
 For the ordinate one needs
 
 $$ \int d\varphi\sin^2\varphi = \tfrac12\varphi - \tfrac12\sin\varphi\cos\varphi, \tag{2} $$
 
-$$ \int\frac{d\varphi}{\cos^2\varphi} = \frac{\sin\varphi}{\cos\varphi}, \qquad
-    \int\frac{d\varphi}{\cos^4\varphi} = \frac{\sin\varphi}{3\cos^3\varphi} +
-  \frac{2\sin\varphi}{3\cos\varphi}, \tag{3} $$
+$$ \begin{aligned} \int\frac{d\varphi}{\cos^2\varphi} &= \frac{\sin\varphi}{\cos\varphi}, \\
+  \int\frac{d\varphi}{\cos^4\varphi} &= \frac{\sin\varphi}{3\cos^3\varphi} +
+  \frac{2\sin\varphi}{3\cos\varphi}, \end{aligned} \tag{3} $$
 
 $$ \int\frac{d\varphi}{\cos^6\varphi} = \frac{\sin\varphi}{5\cos^5\varphi} +
   \frac{4\sin\varphi}{15\cos^3\varphi} + \frac{8\sin\varphi}{15\cos\varphi}, \tag{4} $$
 
-$$ \int\frac{d\varphi}{\cos^8\varphi} = \frac{\sin\varphi}{7\cos^7\varphi} +
-  \frac{6\sin\varphi}{35\cos^5\varphi} +
-   \frac{8\sin\varphi}{35\cos^3\varphi} + \frac{16\sin\varphi}{35\cos\varphi}, \tag{5} $$
+$$ \begin{aligned} \int\frac{d\varphi}{\cos^8\varphi} = \frac{\sin\varphi}{7\cos^7\varphi} &+
+  \frac{6\sin\varphi}{35\cos^5\varphi} \\
+  &+ \frac{8\sin\varphi}{35\cos^3\varphi} + \frac{16\sin\varphi}{35\cos\varphi}, \end{aligned} \tag{5} $$
 
 and has
 
-$$ \begin{aligned} q = \tfrac12a\varphi &- \tfrac12a\sin\varphi\cos\varphi + \frac{kk\varphi}{2a} -
-  \frac{kk\sin\varphi\cos\varphi}{2a} \\
-  &- \frac{kk\sin\varphi}{a\cos\varphi} + \frac{kk\sin\varphi}{a\cos^3\varphi} \\
-  &+ \frac{k^4\sin\varphi}{a^3\cos\varphi}\Bigl(\frac45 + \frac2{5\cos^2\varphi} -
-  \frac{36}{5\cos^4\varphi} + \frac6{\cos^6\varphi}\Bigr). \end{aligned} \tag{6} $$
+$$ \begin{aligned} q = \tfrac12a\varphi &- \tfrac12a\sin\varphi\cos\varphi + \frac{kk\varphi}{2a} \\
+  &- \frac{kk\sin\varphi\cos\varphi}{2a} - \frac{kk\sin\varphi}{a\cos\varphi} \\
+  &+ \frac{kk\sin\varphi}{a\cos^3\varphi} \\
+  &+ \frac{k^4\sin\varphi}{a^3\cos\varphi}\Bigl(\frac45 + \frac2{5\cos^2\varphi} \\
+  &\qquad - \frac{36}{5\cos^4\varphi} + \frac6{\cos^6\varphi}\Bigr). \end{aligned} \tag{6} $$
 
 Since both coordinates, $p$ and $q$, can be had from the given angle φ, which is also the amplitude of the
 arc $AM$, the curve that was sought, $AMB$, is constructed without difficulty.
@@ -70,7 +70,7 @@ $k = 0$.
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
 const auto k = real("k", 0.1, metres, scale, "radius of gyration");
-const auto phi = angle("phi", 30_deg, closed(0_deg, 85_deg),
+const auto phi = angle("phi", 15_deg, closed(0_deg, 85_deg),
                        "angle of the thread with the vertical, where it leaves the cheek");
 const auto phi0 =
     angle("phi0", 5_deg, open(0_deg, 80_deg), "how far the clock's pendulum swings to either side");
@@ -83,12 +83,10 @@ double law(int n)  // (A)
 
 TELL
 {
-  require(k / a <= 1, "k", "at most a");
-  const double last = k / a >= 1e-10 ? largest_amplitude(Cheeks::euler_k4, k / a) : 90_deg;
-  require(phi < last, "phi", "less than where the thread is all wound");
+  const double last = asked_end(k / a, phi);
   tell("p", euler_p<double>(a, k, phi), metres, "AP, how far M is below A");
   tell("q", euler_q<double>(a, k, phi), metres, "PM, how far it is from the vertical");
-  if(k / a >= 1e-10 && phi0 < largest_amplitude(Cheeks::euler_k4, k / a))
+  if(k / a >= 1e-10 && phi0 < last)
   {
     const double over = excess(Cheeks::euler_k4, k / a, phi0);
     tell("excess", over, "T/T₀ − 1 between such cheeks");
@@ -523,3 +521,43 @@ const Emendation cube_of_a{
               .value;
       return depth == within_ulps(sum, 8, "a few roundings");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+How large may the body be, if a clock with Euler's cheeks that swings 5° is to lose no more than a tenth of a
+second in a day?
+
+answer: {{eq A}} with $n = 2$ is nearly $\tfrac94\kappa^3\varphi_0^2$, so that $k$ goes as the sixth root of
+what is allowed: it gives $k = 0.203\,a$. `--k 0.2019` tells 0.0998 s, so that the terms that {{eq A}} leaves
+out cost less than a hundredth of $k$. Between Huygens's cheeks such a body would lose 6.5 s.
+:::
+
+::: exercise
+Each correction of the radius is worth the factor $3\kappa$, by {{eq A}}. For which bodies does it do harm,
+even to the narrowest swings?
+
+answer: For those with $\kappa > \tfrac13$, $k > 0.577\,a$. There the exact radius no longer begins as the
+series says: its first term in $\varphi^2$, $\dfrac{1+\kappa}{1-3\kappa}$, has changed its sign.
+:::
+*/
+
+CHECK_THAT("with k = 0.2019 a a clock loses a tenth of a second in a day at 5°, by the law with 0.203 a; "
+           "with Huygens's "
+           "cheeks 6.5 s")
+{
+  for(const Told& now : told_at("k=0.2019"))
+    CHECK(now.value("late", seconds) == between(0.0995, 0.1, "the exercise"));
+  for(const Told& now : told_at("k=0.20317"))
+    CHECK(now.value("law") == within_relative(0.1 / 86'400, 2e-3, "three digits of k, to the sixth power"));
+  CHECK(86'400 * excess(Cheeks::cycloids, 0.2019, 5_deg) == within(6.5, 0.05, "two digits"));
+}
+
+CHECK_THAT("for narrow swings the second correction helps where k < 0.577 a, and harms where k > 0.578 a")
+{
+  for(const double ratio : {0.4, 0.577})
+    CHECK(excess(Cheeks::euler_k4, ratio, 1e-6) < excess(Cheeks::euler_kk, ratio, 1e-6));
+  for(const double ratio : {0.578, 0.9})
+    CHECK(excess(Cheeks::euler_k4, ratio, 1e-6) > excess(Cheeks::euler_kk, ratio, 1e-6));
+}

@@ -1,9 +1,12 @@
 #pragma once
 /** @file
- * How a reader may ask for a place of a swing.
+ * How a reader may ask for a place of a swing, or of Euler's curve.
  */
 #include "edition/section.hpp"
 #include "tautochrone/thread.hpp"
+
+#include <cstdio>
+#include <numbers>
 
 namespace tautochrone
 {
@@ -17,6 +20,20 @@ inline Posture<double> asked_posture(Cheeks cheeks, double ratio, double phi0, d
                    "less than where the thread is all wound");
   edition::require(phi <= phi0, "phi", "at most phi0");
   return on_cheeks<double>(cheeks, ratio, phi0, phi);
+}
+
+/// Where Euler's curve with both corrections ends, for k = ratio and a = 1: the angle in radians at which r has
+/// come down to zero and the thread is all wound, ½π for a ratio below 1e-10. Refuses, by the names of the
+/// sections' options, a k above a, and a φ beyond that end, which it names.
+inline double asked_end(double ratio, double phi)
+{
+  edition::require(ratio <= 1, "k", "at most a");
+  const double last = ratio < 1e-10 ? std::numbers::pi / 2 : largest_amplitude(Cheeks::euler_k4, ratio);
+  char allowed[80];
+  std::snprintf(allowed, sizeof allowed, "less than %.6g°, where r is zero and the thread all wound",
+                last * 180 / std::numbers::pi);
+  edition::require(phi < last, "phi", allowed);
+  return last;
 }
 
 }  // namespace tautochrone
