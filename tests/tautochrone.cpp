@@ -215,17 +215,6 @@ TEST_CASE("Euler's radius is the truncated expansion, and in double good to a fe
     }
 }
 
-TEST_CASE("followed back in double the curve is as good as promised")
-{
-  for(const double k : {0.01, 0.1, 0.3, 0.9})
-    for(const double part : {0.01, 0.5, 0.99, 1.0})
-    {
-      const double phi = part * static_cast<double>(highest_end(k).phi) * (1 - 1e-15);
-      CHECK(followed_back(k, phi, 1e-13) == within(highest(k, phi), 1e-13, "the stated error"));
-    }
-  CHECK(std::isnan(followed_back(0.1, 0.5, 0)));
-}
-
 TEST_CASE("with n corrections a small swing is longer by ¼ φ₀² (3κ)ⁿ κ/(1 + κ), where κ = kk/aa")
 {
   const Fifty amplitude("1e-3"), kappa("0.01");

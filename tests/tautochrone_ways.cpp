@@ -14,6 +14,7 @@
 using namespace exact;
 using namespace tautochrone;
 using edition::between;
+using edition::within;
 
 namespace
 {
@@ -51,6 +52,19 @@ TEST_CASE(
     CHECK(error(follow(k, last.phi, last.r, phi, 1e-8, Stepper::gear), exactly) < 1e-5);
     CHECK(error(follow(k, last.phi, last.r, phi, 1e-10, Stepper::adams), exactly) < 1e-7);
   }
+}
+
+TEST_CASE(
+    "followed downwards from the end with 1e-13 a step the error is below 1e-13, for k down to 0.01 a")
+{
+  for(const double k : {0.01, 0.1, 0.3, 0.9})
+    for(const double part : {0.01, 0.5, 0.99, 1.0})
+    {
+      const Position last = end(Member::highest, k);
+      const double phi = part * last.phi * (1 - 1e-15);
+      CHECK(follow(k, last.phi, last.r, phi, 1e-13, Stepper::runge_kutta)
+            == within(highest(k, phi), 1e-13, "the stated error"));
+    }
 }
 
 TEST_CASE("collocation converges with the outer value; without it more points make it worse")

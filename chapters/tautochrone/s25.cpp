@@ -16,22 +16,23 @@ using namespace tautochrone;
 With the angle φ in place of $x$ and $z$ the equation of the tautochrone gets two variables and first
 differentials, but even so they cannot be separated. For since $d\varphi = dz/r$, one has
 
-$$ dz = r\,d\varphi, \qquad dx = r\,d\varphi\sin\varphi, \qquad x = \int r\,d\varphi\sin\varphi. \tag{1} $$
+$$ \begin{gathered} dz = r\,d\varphi, \quad dx = r\,d\varphi\sin\varphi, \\
+  x = \int r\,d\varphi\sin\varphi. \end{gathered} \tag{1} $$
 
 Put into the equation of {{sec tautochrone.24}}, this gives
 
-$$ \sqrt{kk+rr} = \frac{r\sin\varphi\sqrt{kk+aa}}{\sqrt{2ax}}, \qquad 2ax =
-  \frac{(aa+kk)\,rr\sin^2\varphi}{kk+rr}, \tag{2} $$
+$$ \begin{aligned} \sqrt{kk+rr} &= \frac{r\sin\varphi\sqrt{kk+aa}}{\sqrt{2ax}}, \\
+  2ax &= \frac{(aa+kk)\,rr\sin^2\varphi}{kk+rr}, \end{aligned} \tag{2} $$
 
 and by differentiation
 
-$$ a\,dx = \frac{(aa+kk)\,rr\,d\varphi\sin\varphi\cos\varphi}{kk+rr} +
-  \frac{(aa+kk)\,kk\,r\,dr\sin^2\varphi}{(kk+rr)^2{{entry square}}}. \tag{3} $$
+$$ \begin{aligned} a\,dx = &\frac{(aa+kk)\,rr\,d\varphi\sin\varphi\cos\varphi}{kk+rr} \\
+  &+ \frac{(aa+kk)\,kk\,r\,dr\sin^2\varphi}{(kk+rr)^2{{entry square}}}. \end{aligned} \tag{3} $$
 
 With the value of $dx$ from {{eq 1}} and divided by $r\sin\varphi$ it becomes
 
-$$ a\,d\varphi = \frac{(aa+kk)\,r\,d\varphi\cos\varphi}{kk+rr} +
-  \frac{(aa+kk)\,kk\,dr\sin\varphi}{(kk+rr)^2}. \tag{4} $$
+$$ \begin{aligned} a\,d\varphi = &\frac{(aa+kk)\,r\,d\varphi\cos\varphi}{kk+rr} \\
+  &+ \frac{(aa+kk)\,kk\,dr\sin\varphi}{(kk+rr)^2}. \end{aligned} \tag{4} $$
 
 ::: margin
 Two lines that our copy has between {{eq 2}} and {{eq 3}} repeat {{eq 3}} in a garbled form and are left
@@ -55,7 +56,8 @@ Through every place with $a(kk+rr) \le (aa+kk)\,r\cos\varphi$ passes one of them
 ## The program
 
 The slope by {{eq 4}}, and the curves, which are followed from their ends towards the vertical, where all
-errors die ({{api tautochrone::at}}):
+errors die ({{api tautochrone::at}}). For $k < a/5000$ the steps are too many, and only the highest is told,
+which need not be followed from its end:
 
 ::: code tautochrone/curve.hpp slope (4)
 :::
@@ -85,10 +87,14 @@ TELL
     tell("x_highest", a * here.x, metres, "its height");
     tell("s_highest", a * here.s, metres, "the arc of its cheek");
   }
-  const Position wide = at(Member::widest, small, phi);
-  tell("r_widest", a * wide.r, metres, "r of the curve that reaches widest");
-  tell("x_widest", a * wide.x, metres, "its height");
-  if(passes(small, phi1, r1 / a) && phi <= phi1)
+  const bool few_steps = small >= 2e-4;
+  if(few_steps)
+  {
+    const Position wide = at(Member::widest, small, phi);
+    tell("r_widest", a * wide.r, metres, "r of the curve that reaches widest");
+    tell("x_widest", a * wide.x, metres, "its height");
+  }
+  if(few_steps && passes(small, phi1, r1 / a) && phi <= phi1)
     tell("r_through", a * at_through(small, phi1, r1 / a, phi).r, metres,
          "r of the curve through the reader's place");
   tell("end_highest", top.phi, degrees, "where the highest curve ends, (A)");
@@ -157,13 +163,13 @@ For $k = \tfrac3{10}a$ the highest curve has at 40° the radius {{r_highest|8}} 
 
 ::: figure tautochrone-25
 alt: The plane of angle and radius for k three tenths of a. Seven curves start together at angle zero and
-radius one and spread downwards like a fan. A dashed line bounds them above on the right and has its tip
+radius one and spread downwards like a fan. A dotted line bounds them above on the right and has its tip
 at 57 degrees; the curves that reach it end there level. Euler's curve starts with them, crosses the
-others and runs down to the dashed line.
+others and runs down to the dotted line.
 
 Tautochrones of one body, $k = \tfrac3{10}a$: all leave the place $r = a$ of the vertical together, and
-all have the same time. Dashed, where $dr = 0$: beyond it no cheek can go. In blue the highest and the
-widest; in red Euler's curve of {{sec tautochrone.30}}.
+all have the same time. Dotted, where $dr = 0$: beyond it no cheek can go. In blue the highest and the
+widest; in red, for comparison, Euler's curve of {{sec tautochrone.30}}.
 :::
 
 ## Speed against error
@@ -176,26 +182,28 @@ imitate the differences of the curves.
 
 TELL
 {
-  const double small = k / a, top = end(Member::highest, small).phi;
-  if(small < 0.1 || phi <= 5_deg || phi >= top)
+  const double small = k / a;
+  const Position last = end(Member::highest, small);
+  if(small < 0.1 || phi <= 5_deg || phi >= last.phi)
     return;  // there the usual ways are too stiff, or there is nothing to race for
   const double to = phi, r5 = at(Member::highest, small, 5_deg).r,
-               outer = at(Member::highest, small, top).r;
+               outer = at(Member::highest, small, last.phi).r;
   std::vector<Method> ways{{"flow on the sphere", [=] { return at(Member::highest, small, to).r; }}};
   for(const auto& [eps, name] : {std::pair{1e-7, "10⁻⁷"}, {1e-13, "10⁻¹³"}})
   {
     const double each = eps;
-    ways.push_back({std::string("backwards, ") + name, [=] { return followed_back(small, to, each); },
+    ways.push_back({std::string("backwards, ") + name,
+                    [=] { return follow(small, last.phi, last.r, to, each, Stepper::runge_kutta); },
                     "GSL, Runge and Kutta"});
   }
   ways.push_back(
       {"forwards, 10⁻¹³", [=] { return follow(small, 5_deg, r5, to, 1e-13, Stepper::runge_kutta); }});
   for(const int n : {16, 32, 64})
     ways.push_back({std::to_string(n) + " places, outer value",
-                    [=] { return collocation(small, top, outer, n, {to})[0]; }, "collocation"});
+                    [=] { return collocation(small, last.phi, outer, n, {to})[0]; }, "collocation"});
   for(const int n : {16, 64})
     ways.push_back({std::to_string(n) + " places, without",
-                    [=] { return collocation(small, top, std::nullopt, n, {to})[0]; },
+                    [=] { return collocation(small, last.phi, std::nullopt, n, {to})[0]; },
                     "collocation without"});
   illustration("r/16 places, without", "it has no value to be near to: no solution is singled out");
   illustration("r/64 places, without", "the same");
@@ -255,6 +263,9 @@ CHECK_THAT(
     CHECK(now.value("end_widest", degrees)
           == within_relative(exact::pi() / 2 - 2 * atan(small), 3e-15, "the same"));
   }
+  for(const Told& now : told_at("k=1e-5 phi=40"))  // the others would take 10¹⁰ steps
+    CHECK(now.value("r_highest", metres)
+          == within_relative(highest(k.fifty(), phi.fifty()), 5e-14, "the library's bound"));
 }
 
 CHECK_THAT("on both curves the height by (2) is the integral of r sin φ: so the virtual arc is √(2fx), and "
@@ -383,3 +394,35 @@ const Emendation square{
       const Fifty rest = 2 * r * sin(x) - (4 + kk) * r * r * sin(x) * cos(x) / (kk + r * r);
       return term == within_relative(rest, 1e-14, "a difference");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+How far can a body with $k = \tfrac12a$ swing in equal times, and how high?
+
+answer: `--k 0.5 --phi 30`: at most to 36.87°, by {{eq B}}, but then not so high as by {{eq A}}, where it
+rises $\tfrac18a$ and swings 35.26°. For $k = a$ nothing is left.
+:::
+
+::: exercise
+For $\kappa = kk : aa = \tfrac13$ there is no series in powers of $h$. Put $r = a(1 + \beta h\,l\,h + \dots)$
+into {{eq 4}} and find $\beta$.
+
+answer: The terms with $h\,l\,h$ cancel whatever $\beta$ is, and those with $h$ demand $\beta = 2$:
+`--num 1 --den 3` tells the logarithmic coefficient.
+:::
+*/
+
+CHECK_THAT(
+    "for k = a/2 the ends are at 35.26°, one eighth of a high, and 36.87°; for κ = 1/3 the logarithm has 2")
+{
+  for(const Told& now : told_at("k=0.5 phi=30"))
+  {
+    CHECK(now.value("end_highest", degrees) == within(35.26_deg, 0.005_deg, "four digits"));
+    CHECK(now.value("height", metres) == within_ulps(Fifty(0.125), 8, "the library's bound"));
+    CHECK(now.value("end_widest", degrees) == within(36.87_deg, 0.005_deg, "four digits"));
+  }
+  for(const Told& now : told_at("num=1 den=3"))
+    CHECK(now.value("logarithmic") == Rational(2));
+}

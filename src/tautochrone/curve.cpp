@@ -3,11 +3,7 @@
 #include "exact/ode.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
-
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 
 namespace tautochrone
 {
@@ -117,21 +113,6 @@ std::vector<Fifty> through(const Fifty& k, const Fifty& phi, const Fifty& r,
 Fifty highest(const Fifty& k, const Fifty& phi)
 {
   return highest(k, std::vector<Fifty>{phi})[0];
-}
-
-double followed_back(double k, double phi, double tolerance)
-{
-  const auto right_side = [](double at, const double r[], double slope_there[], void* k_of_body) {
-    slope_there[0] = slope(at, r[0], *static_cast<double*>(k_of_body));
-    return int{GSL_SUCCESS};
-  };
-  gsl_odeiv2_system system{right_side, nullptr, 1, &k};
-  const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
-      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, -1e-3, tolerance, 0),
-      gsl_odeiv2_driver_free);
-  double at = std::max(phi, std::atan((1 - k) / std::sqrt(k)));
-  double r = std::sqrt(k * (1 - k + k * k));
-  return gsl_odeiv2_driver_apply(driver.get(), &at, phi, &r) == GSL_SUCCESS ? r : std::nan("");
 }
 
 }  // namespace tautochrone

@@ -88,14 +88,4 @@ exact::Fifty highest(const exact::Fifty& k, const exact::Fifty& phi);
 std::vector<exact::Fifty> through(const exact::Fifty& k, const exact::Fifty& phi, const exact::Fifty& r,
                                   const std::vector<exact::Fifty>& angles);
 
-/**
- * r of the highest tautochrone in double, by GSL's pair of Runge, Kutta, Prince and Dormand of the eighth
- * order from the end back to φ, each step's error at most `tolerance`. With 1e-13 the result errs by less
- * than 1e-13.
- *
- * Domain: 0.01 ≤ k < 1 (below, the equation is too stiff), 0 < φ up to the end, 1e-15 ≤ tolerance; NaN
- * where the steps do not get there.
- */
-double followed_back(double k, double phi, double tolerance);
-
 }  // namespace tautochrone

@@ -24,7 +24,8 @@ enum class Stepper
  * r at the angle `to` on the curve through (from, r), by steps each of which errs by at most `tolerance`.
  *
  * Downwards every error dies. Upwards it grows nearly as exp(A(from) − A(to))/kk, see falling(), so that
- * from a place near the vertical nothing can be got. Domain: 0 < k < 1, 0 < from, to < ½π, 1e-15 ≤
+ * from a place near the vertical nothing can be got. From the highest curve's end downwards, with 1e-13, the
+ * result errs by less than 1e-13 for 0.01 ≤ k ≤ 0.9 (measured). Domain: 0 < k < 1, 0 < from, to < ½π, 1e-15 ≤
  * tolerance ≤ 0.1. NaN elsewhere, and where 200 000 steps are not enough.
  */
 double follow(double k, double from, double r, double to, double tolerance, Stepper stepper);
