@@ -26,7 +26,8 @@ He writes no formula here. In the letters that he will use from {{sec tautochron
 length of the thread, the bob at the angle $\varphi$ with the vertical is led along a curve whose radius of
 curvature, arc and height are
 
-$$ r = a\cos\varphi, \qquad z = a\sin\varphi, \qquad x = \tfrac12 a\sin^2\varphi, \tag{A} $$
+$$ \begin{gathered} r = a\cos\varphi, \quad z = a\sin\varphi, \\
+  x = \tfrac12 a\sin^2\varphi, \end{gathered} \tag{A} $$
 
 so that $zz = 2ax$; and the time of a swing from side to side, $g$ being the height fallen from rest in the
 first second, is
@@ -180,4 +181,25 @@ CHECK_THAT("the thread of the figure has everywhere the length a, and touches th
             == within(1 - p - cos(phi) * cos(phi), 1e-15, "the same, from the lowest place"));
     }
   }
+}
+
+/*!
+## Go on from here
+
+::: exercise
+By how much longer must the thread of {{a}} m be, if the clock is to lose a second in a day? Compare it with
+what a circle costs ({{sec tautochrone.01}}).
+
+answer: The time goes as $\sqrt a$, so by two parts in 86400, 0.023 mm: `--a 0.994023`. On a circle swings of
+0.78° cost as much; so a maker whose rod grows by more than that with the weather has a greater trouble than
+the circle.
+:::
+*/
+
+CHECK_THAT("a thread longer by 0.023 mm loses a second in a day, whatever the swing")
+{
+  const Fifty T = exact::pi() * sqrt(Fifty("0.994") / (2 * Fifty("4.903325")));
+  for(const Told& now : told_at("a=0.994023", "a=0.994023 phi0=10"))
+    CHECK(now.value("T", seconds)
+          == within_relative(T * (1 + Fifty(1) / 86'400), 2e-8, "two digits of 0.023"));
 }

@@ -195,3 +195,24 @@ CHECK_THAT("the table and the figure's curves are the quadrature's; a heavy poin
     }
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+How small must a ball on a thread of the length $a$ be, to lose no more than a tenth of a second in a day
+between Huygens's cheeks, with swings of 5°?
+
+answer: {{eq A}} with $kk = \tfrac25RR$ gives $R = 0.039\,a$, a ball of 4 cm on a pendulum of a second:
+`--k 0.02466` tells a tenth of a second. The loss goes as $RR$; a ball of half the size loses a quarter.
+:::
+*/
+
+CHECK_THAT("k = 0.02466 a, a ball with the radius 0.039 a, loses a tenth of a second at 5°")
+{
+  for(const Told& now : told_at("k=0.02466"))
+  {
+    CHECK(now.value("late", seconds) == within(0.1, 5e-4, "the exercise"));
+    CHECK(k / std::sqrt(0.4) == within(0.039, 5e-4, "two digits"));
+  }
+}

@@ -330,3 +330,34 @@ CHECK_THAT("a curve on which the pendulum would not rise so far is refused")
   CHECK(refused_at("beta=4 gamma=15 phi0=60"));
   CHECK(!refused_at("beta=4 gamma=17 phi0=60"));
 }
+
+/*!
+## Go on from here
+
+::: exercise
+For which bodies are Huygens's cycloids, $\beta = \tfrac12$, right as far as $\varphi_0^2$? By how much do
+they fail for the others?
+
+answer: The bracket of {{eq C}} is $\dfrac{\kappa}{4(1+\kappa)}$ for $\beta = \tfrac12$; it vanishes for
+$\kappa = 0$ alone. It is the law of {{eq tautochrone.03 A}}.
+:::
+
+::: exercise
+A body with $k = a$ is to swing in equal times as far as $\varphi_0^2$. How must its curve be bent?
+
+answer: `--k 1` tells $\beta = -\tfrac12$: the radius must grow as the body rises. A thread that winds itself
+on a cheek gets shorter, so that no cheek can do it.
+:::
+*/
+
+CHECK_THAT("cycloids fail by κ : 4(1 + κ), and a body with k = a wants β = −½")
+{
+  for(const Told& now : told_at("", "k=0", "k=2"))
+  {
+    const Fifty kappa = pow(k.fifty(), 2);
+    CHECK(now.value("of_square")
+          == within(kappa / (4 * (1 + kappa)), 1e-16, "rounded once, near a sixteenth"));
+  }
+  for(const Told& now : told_at("k=1"))
+    CHECK(now.value("best_beta") == within(-0.5, 0, "exactly"));
+}

@@ -229,3 +229,29 @@ CHECK_THAT("the points of the figure lie where their definitions put them, and s
       CHECK(point.value("G_x") == within(M.G_down, 2e-15, "a few roundings"));
     }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+What must be borne across at $M$ when the body is at rest at the end of its swing? For which swing is it half
+of the weight's part across the thread?
+
+answer: At rest the body begins to turn about $M$ as about a fixed axis, so that by {{eq B}}
+$R = \dfrac{kk\sin\varphi_0}{kk + rr}$, over the weight. It is half of $\sin\varphi_0$ where $r = k$; between
+cycloids where $\cos\varphi_0 = k : a$, for $k = \tfrac15a$ at 78.463°.
+:::
+*/
+
+CHECK_THAT("at the end of a swing R is kk sin φ₀ : (kk + rr), half of sin φ₀ where r = k")
+{
+  for(const Told& now : told_at("", "phi0=78.463040967 phi=0", "k=3 a=2 phi0=30 phi=0"))
+  {
+    const Fifty kk = pow(k.fifty() / a.fifty(), 2), s = sin(phi0.fifty()), c = cos(phi0.fifty());
+    CHECK(now.value("R_at_the_end")
+          == within_relative(kk * s / (kk + c * c), 1e-13, "the library's bound"));
+  }
+  for(const Told& now : told_at("phi0=78.463040967 phi=0"))
+    CHECK(now.value("R_at_the_end")
+          == within_relative(sin(phi0.fifty()) / 2, 1e-9, "eleven digits of the angle"));
+}

@@ -210,3 +210,23 @@ with a heavy point on it that keeps the same time does exist: its arc σ is that
 $d\sigma^2 = dz^2 + kk\,d\varphi^2$, and its heights are those of $G$. Equal times ask that this curve be a
 cycloid.
 */
+
+/*!
+## Go on from here
+
+::: exercise
+How near to $G$ does $Z$ come in a swing of a very small body, measured by $GH$?
+
+answer: For $k = 0$ the fraction in {{eq B}} is $\dfrac{cc - c_0^2}{cc}$, so that $GZ : GH = c_0^2 : cc$. In a
+swing to 60° it is a quarter in the lowest place: `--k 1e-6 --phi 0` tells that $GZ$ is smaller by 75 %.
+However small the body is, to take $H$ for $Z$ is wrong by a finite part.
+:::
+*/
+
+CHECK_THAT("for a very small body GZ : GH is the quotient of the squared cosines")
+{
+  for(const Told& now : told_at("k=1e-6 phi=0", "k=1e-7 phi=45", "k=1e-6 phi0=80 phi=0"))
+    CHECK(now.value("short_of_H", percent)
+          == within_relative(1 - pow(cos(phi0.fifty()) / cos(phi.fifty()), 2), 1e-9,
+                             "kk against the cosines"));
+}

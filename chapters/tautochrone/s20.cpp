@@ -190,3 +190,25 @@ CHECK_THAT(
 Our copy once has *e* for the letter *c* of this section; that is a slip of reading without a number, and
 the sentence itself corrects it.
 */
+
+/*!
+## Go on from here
+
+::: exercise
+For $k = \tfrac1{10}a$, how wide may the swings be before Euler's second correction does more harm than good?
+
+answer: `--cheeks 2` and `--cheeks 3` lose the same, 113 s in a day, between 60.1° and 60.2°; at 45° it was
+still 14 s against 2.4 s. For wider swings the first correction alone is better.
+:::
+*/
+
+CHECK_THAT("for k = a/10 the second correction helps up to 60.1° and harms from 60.2° on")
+{
+  CHECK(excess(Cheeks::euler_k4, 0.1, 60.1_deg) < excess(Cheeks::euler_kk, 0.1, 60.1_deg));
+  CHECK(excess(Cheeks::euler_k4, 0.1, 60.2_deg) > excess(Cheeks::euler_kk, 0.1, 60.2_deg));
+  CHECK(86'400 * excess(Cheeks::euler_kk, 0.1, 60.18_deg) == within(113, 0.5, "three digits"));
+  for(const Told& now : told_at("cheeks=2 phi0=45"))
+    CHECK(now.value("late", seconds) == within(14, 0.5, "two digits"));
+  for(const Told& now : told_at("cheeks=3 phi0=45"))
+    CHECK(now.value("late", seconds) == within(2.4, 0.05, "two digits"));
+}

@@ -20,15 +20,15 @@ using namespace tautochrone;
 The formula that was found for any compound pendulum is fitted to equal times when it takes the form that
 it has for the simple one. Necessarily
 
-$$ 2\int\frac{dz\sqrt{kk+rr}}{r\sqrt{c-x}} \quad\text{must become}\quad
-  2\int\frac{dx\sqrt{\frac12f}}{\sqrt{(c-x)x}}; \tag{1} $$
+$$ \begin{aligned} &2\int\frac{dz\sqrt{kk+rr}}{r\sqrt{c-x}} \quad\text{must become} \\
+  &2\int\frac{dx\sqrt{\frac12f}}{\sqrt{(c-x)x}}; \end{aligned} \tag{1} $$
 
 for then, when $x = c$ is put after the integration, the letter $c$ goes out of the reckoning, and each
 swing takes as long as the smallest swings of a simple pendulum whose length is $f$. When the two are
 compared, there arises
 
-$$ \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}} \quad\text{or}\quad
-  \sqrt{2fx}{{entry lost_root}} = \int\frac{dz\sqrt{kk+rr}}r. \tag{2} $$
+$$ \begin{gathered} \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}} \quad\text{or} \\
+  \sqrt{2fx}{{entry lost_root}} = \int\frac{dz\sqrt{kk+rr}}r. \end{gathered} \tag{2} $$
 
 This equation expresses the nature of the tautochrone $CG$ for any compound pendulum. That it departs not
 a little from the cycloid is clear enough of itself.
@@ -218,3 +218,30 @@ const Emendation lost_root{"§22, the left side of the equation",
                                                            / sqrt(r * r + Fifty("0.09")),
                                                        5e-14, "the library's bound");
                            }};
+
+/*!
+## Go on from here
+
+::: exercise
+A pendulum's swings take $T = T_0(1 + \varepsilon c)$ as long as $c$ is small. What curve does {{eq A}} give?
+Try it on the circle.
+
+answer: $\int_0^x c\,dc : \sqrt{x-c}$ is $\tfrac43x\sqrt x$, and so
+$\sigma = \sqrt{2fx}\,(1 + \tfrac23\varepsilon x)$. In a circle $T$ grows by $\tfrac1{16}\varphi_0^2$ and $c$
+is $\tfrac12a\varphi_0^2$, so that $\varepsilon = 1 : 8a$ and $\sigma = \sqrt{2fx}\,(1 + x : 12a)$: so the
+circle's line in the figure begins.
+:::
+*/
+
+CHECK_THAT("the circle's quotient in the figure begins as 1 + x/12")
+{
+  for(const Told& now : told_at(""))
+  {
+    const auto all = now.points("straight");
+    for(const std::size_t i : {std::size_t(0), std::size_t(4), std::size_t(9)})
+    {
+      const double x = std::pow(all[i].at("root_x"), 2);
+      CHECK(all[i].value("circle") == within(1 + x / 12, x * x / 8, "the next term, 3xx/160"));
+    }
+  }
+}

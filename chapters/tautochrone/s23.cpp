@@ -165,3 +165,25 @@ const Emendation subnormal{"§23, the subnormal",
                            {"z dz/dx", arc / std::sqrt(x)},
                            "§21 has it so, and the radius of curvature in C must come to a",
                            [](double reading) { return reading == within_relative(2, 1e-14, "a = 2"); }};
+
+/*!
+## Go on from here
+
+::: exercise
+A maker gives the pendulum of a clock, a body with $k = \tfrac1{10}a$, the length $a$ of the simple pendulum
+that keeps the time wanted. How wrong does the clock go?
+
+answer: It swings as a simple pendulum of the length $1.01\,a$: too slowly by $\sqrt{1.01} - 1$, 431 seconds
+in a day. That is why $a$ must not be measured but timed ({{sec tautochrone.12}}); against it all that the
+cheeks do is little.
+:::
+*/
+
+CHECK_THAT("a body with k = a/10 on the length a is late by 431 seconds in a day")
+{
+  const Fifty part = Fifty(431) / 86'400;
+  for(const Told& now : told_at(""))
+    CHECK(now.value("T_0", seconds)
+          == within_relative(exact::pi() * sqrt(a.fifty() / (2 * g.fifty())) * (1 + part), 0.5 / 86'400,
+                             "half a second in a day"));
+}

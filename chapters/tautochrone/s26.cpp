@@ -26,7 +26,8 @@ $$ 2\,CQ = \frac{AD\cdot GS^2}{MG\cdot MH}. \tag{2} $$
 
 If from $S$ the straight line $ST$ is drawn at right angles to $GM$, then $GT = GS^2 : MG$, and
 
-$$ 2\,CQ = \frac{AD\cdot GT}{MH}, \qquad AD : MH = 2\,CQ : GT, \qquad AD : 2\,CQ = MH : GT. \tag{3} $$
+$$ \begin{gathered} 2\,CQ = \frac{AD\cdot GT}{MH}, \\ AD : MH = 2\,CQ : GT, \\
+  AD : 2\,CQ = MH : GT. \end{gathered} \tag{3} $$
 
 In this neat property the nature of the tautochrone is laid open.
 
@@ -232,3 +233,25 @@ const Emendation of_AD{
       const Lengths is = lengths(1, 0.3, place_.at.r, place_.by_arc, 30_deg);
       return AD == within_relative(2 * is.CQ * is.MH / is.GT, 1e-12, "the height as an integral");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+What is the defect {{eq A}} of Huygens's cycloid, and what does it make of narrow swings?
+
+answer: With $r = a\cos\varphi$ and $x = \tfrac12a\sin^2\varphi$ it is $D = \dfrac{kk}{aa+kk}\tan^2\varphi$.
+For narrow swings half of its mean, where $\varphi^2$ is on the average $\tfrac12\varphi_0^2$, is the excess:
+the law of {{eq tautochrone.03 A}}.
+:::
+*/
+
+CHECK_THAT("the cycloid's defect is κ tan²φ : (1 + κ)")
+{
+  for(const Told& now : told_at("", "k=0.5 phi=20", "k=1e-8 phi=1e-5"))
+  {
+    const Fifty kappa = pow(k.fifty() / a.fifty(), 2), t = pow(tan(phi.fifty()), 2);
+    CHECK(now.value("of_cycloid")
+          == within_relative(kappa * t / (1 + kappa), 1e-13, "the library's bound"));
+  }
+}

@@ -189,3 +189,24 @@ CHECK_THAT("in the figure the terms at 10° still fall with the power sixteen, a
   CHECK(place_of_smallest(terms(0.1, 10_deg, 16)) == 16);
   CHECK(place_of_smallest(terms(0.1, 60_deg, 16)) == 2);
 }
+
+/*!
+## Go on from here
+
+::: exercise
+At which angle is the second correction as large as the first, for $k = \tfrac1{10}a$? What does that say of
+Euler's formula there?
+
+answer: With $t = \tan^2\varphi$ their quotient is $\kappa\,\dfrac{6(1+t)^3}{2+t}$. It is 1 at 61.9°: `--phi
+61.9` tells {{fall|2}} for 40° and 1.00 there. Where the last term kept is as large as the one before, nothing
+is known of those that are left out.
+:::
+*/
+
+CHECK_THAT("for k = a/10 the two corrections are equal between 61.9° and 62°")
+{
+  for(const Told& now : told_at("phi=61.9"))
+    CHECK(now.value("fall") == between(0.99, 1, "the exercise"));
+  for(const Told& now : told_at("phi=62"))
+    CHECK(now.value("fall") == between(1, 1.02, "the exercise"));
+}
