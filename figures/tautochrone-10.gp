@@ -18,5 +18,5 @@ plot file every 15 using "q":(-column("p")):(column("H_y") - column("q")):(colum
      file every 15 using "Z_y":(-column("Z_x")) with points linetype 1, \
      file every 15 using "H_y":(-column("H_x")) with points linetype 2, \
      file every ::33::33 using "G_y":(-column("G_x")):("{/:Italic G}") with labels offset -1, 0.6 textcolor linetype 7, \
-     file every ::27::27 using "Z_y":(-column("Z_x")):("{/:Italic Z}") with labels offset 0.6, 0.9 textcolor linetype 1, \
+     file every ::22::22 using "Z_y":(-column("Z_x")):("{/:Italic Z}") with labels offset 0.3, -0.75 textcolor linetype 1, \
      file every ::30::30 using "H_y":(-column("H_x")):("{/:Italic H}") with labels offset 1.4, -0.8 textcolor linetype 2

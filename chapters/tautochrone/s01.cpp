@@ -188,12 +188,12 @@ CHECK_THAT("what is told of other swings is theirs, and does not depend on this 
 ::: exercise
 A clock is to be late by no more than a second a day on its circle. How wide may it swing?
 
-answer: By {{eq A}} to $\varphi_0 = 4/\sqrt{86400}$ of a radian, nearly 0,78°: `--phi0 0.779` tells a
+answer: By {{eq A}} to $\varphi_0 = 4/\sqrt{86400}$ of a radian, nearly 0.78°: `--phi0 0.779` tells a
 little less than one second.
 :::
 */
 
-CHECK_THAT("swings of 0,779° lose a little less than a second in a day")
+CHECK_THAT("swings of 0.779° lose a little less than a second in a day")
 {
   CHECK(86'400 * excess(Cheeks::none, 0, 0.779_deg) == between(0.99, 1, "the exercise"));
 }

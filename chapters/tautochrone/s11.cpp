@@ -28,7 +28,8 @@ turns about $M$ like a rod hung by its end, so that in the equation of {{sec tau
 of the body and $a$ as units,
 
 $$ \begin{aligned} kk + rr \quad &\text{becomes} \quad I = kk + rr + \tfrac13\mu u^3, \\
-   r\sin\varphi \quad &\text{becomes} \quad w\sin\varphi, \quad w = r + \tfrac12\mu u^2. \end{aligned}
+   r\sin\varphi \quad &\text{becomes} \quad w\sin\varphi, \\
+   &\text{where} \quad w = r + \tfrac12\mu u^2. \end{aligned}
    \tag{A} $$
 
 Nothing is lost where the strip comes to rest on the cheek, for at $M$ it is at rest already. On Huygens's

@@ -39,7 +39,8 @@ and only *which* point it is changes. This is why $ds$ is not found in {{eq 1}}.
 What the fall from the height $c - x$ has given is shared between the two motions. A body that turns with
 the angular velocity {{eq 2}} has a store of motion as if its mass went round at the distance $k$; so that
 
-$$ c - x = v + kk\,\frac{d\varphi^2}{dt^2} = v\Bigl(1 + \frac{kk}{rr}\Bigr), \qquad r = a - s. \tag{A} $$
+$$ \begin{gathered} c - x = v + kk\,\frac{d\varphi^2}{dt^2} = v\Bigl(1 + \frac{kk}{rr}\Bigr), \\
+  r = a - s. \end{gathered} \tag{A} $$
 
 Euler arrives at this by the laws of motion in {{sec tautochrone.18}}. It says where the trouble with
 Huygens's cheeks lies: the wider the swing, the shorter is $r$, and the greater the share that goes to turning

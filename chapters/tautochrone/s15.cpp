@@ -40,7 +40,8 @@ along its cheek.
 It is smaller. In {{eq 2}} the product $ds\,d\varphi$ is positive whenever the thread winds itself up,
 and also when it comes off again, since both factors change sign; but $dd\varphi$ is negative, because
 the body is retarded in its rise and hastened in its fall. What is taken away from a negative number
-makes it larger. With {{eq 2}} and the first equation of {{sec tautochrone.14}},
+makes it larger in size, and the quotient smaller. With {{eq 2}} and the first equation of
+{{sec tautochrone.14}},
 
 $$ GZ = GH\Bigl(1 - \frac{2M\,ds\,d\varphi}{P\,dt^2}\Bigr), \tag{A} $$
 

@@ -17,12 +17,14 @@ down in the centre of gravity $G$; let the vertical line $GV$ represent it. Noth
 that the moment of $P$ about the place of suspension $M$ be equal to the moment of gravity about it. The
 angle between $GV$ and the line $MG$ produced is φ, and so
 
-$$ M\cdot MG\cdot\sin\varphi = P\cdot MZ \quad\text{or}\quad P = \frac{M(a-s)\sin\varphi}{a-s+b}. \tag{1} $$
+$$ \begin{gathered} M\cdot MG\cdot\sin\varphi = P\cdot MZ \quad\text{or} \\
+  P = \frac{M(a-s)\sin\varphi}{a-s+b}. \end{gathered} \tag{1} $$
 
 With the value that was found for $b = GZ$ in {{sec tautochrone.15}} the arm is
 
-$$ a-s+b = \frac{(a-s)^2dd\varphi - (a-s)\,ds\,d\varphi + kk\,dd\varphi}{(a-s)\,dd\varphi - ds\,d\varphi},
-  \tag{2} $$
+$$ \begin{aligned} a&-s+b \\
+  &= \frac{(a-s)^2dd\varphi - (a-s)\,ds\,d\varphi + kk\,dd\varphi}{(a-s)\,dd\varphi - ds\,d\varphi},
+  \end{aligned} \tag{2} $$
 
 and therefore
 

@@ -23,14 +23,15 @@ $$ \frac{2dd\varphi}{dt^2} = \frac{-(a-s)\,dd\varphi{{entry lost_d}}\sin\varphi}
 
 in which $dd\varphi$ drops out, so that it is transformed into
 
-$$ 2(a-s)^2dd\varphi - 2(a-s)\,ds\,d\varphi + 2kk\,dd\varphi = -(a-s)\,dt^2\sin\varphi. \tag{3} $$
+$$ \begin{aligned} 2(a-s)^2dd\varphi - 2(a-s)\,ds\,d\varphi &+ 2kk\,dd\varphi \\
+  &= -(a-s)\,dt^2\sin\varphi. \end{aligned} \tag{3} $$
 
 By this equation the motion is determined as gravity changes it, hence the whole swinging. As $dt$ is
 constant in it, let it be multiplied by $d\varphi$ and integrated. The left side is a complete
 differential, since the change of $(a-s)^2$ is $-2(a-s)\,ds$; so
 
-$$ (a-s)^2d\varphi^2 + kk\,d\varphi^2 =
-  C\,dt^2{{entry lost_C}} - dt^2\!\int(a-s)\,d\varphi\sin\varphi. \tag{4} $$
+$$ \begin{aligned} (a-s)^2d\varphi^2 &+ kk\,d\varphi^2 \\
+  &= C\,dt^2{{entry lost_C}} - dt^2\!\int(a-s)\,d\varphi\sin\varphi. \end{aligned} \tag{4} $$
 
 Since the cheek $AMB$ is taken as given, the relation between $s$ and φ is known, and with it the
 integral on the right; let it be so taken that it vanishes with $s$, where also $\varphi = 0$. Then

@@ -18,9 +18,10 @@ $$ \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}{{entry under_the_root}}} 
 is exceedingly difficult to construct, and its variables cannot in any way be separated from one another.
 For although $r$ can be defined by the other two, $x$ and $z$ (if the ordinate is $QG = y$, then
 
-$$ r = \frac{-dz^3}{dx\,ddy}{{entry first_form}} = \frac{-dy\,dz^2}{dx\,ddz}{{entry second_form}} \text{
-  for } dx \text{ constant, or } r = \frac{dz\,dy}{ddx}{{entry third_form}} \text{ for } dz \text{
-  constant,} \tag{2} $$
+$$ \begin{aligned} r &= \frac{-dz^3}{dx\,ddy}{{entry first_form}} =
+  \frac{-dy\,dz^2}{dx\,ddz}{{entry second_form}} \text{ for } dx \text{ constant,} \\
+  \text{or } r &= \frac{dz\,dy}{ddx}{{entry third_form}} \text{ for } dz \text{ constant,}
+  \end{aligned} \tag{2} $$
 
 and $dy = \sqrt{dz^2-dx^2}$), yet the equation would become so entangled that nothing at all could be
 concluded from it. And if either $x$ or $z$ were thrown out of it, one would fall into much greater
@@ -35,8 +36,8 @@ No closed form is known to this edition either.
 There is one form in which the equation is neat. Let $S = \sqrt{2x:f}$, which goes as the sine of a simple
 pendulum's angle, and $X = \cos\varphi$. Then
 
-$$ X^2 + \Bigl(\frac kf\Bigr)^{\!2}\Bigl(\frac{dX}{dS}\Bigr)^{\!2} = 1 - S^2, \qquad r =
-  -\frac{fS\,dS}{dX}. \tag{A} $$
+$$ \begin{gathered} X^2 + \Bigl(\frac kf\Bigr)^{\!2}\Bigl(\frac{dX}{dS}\Bigr)^{\!2} = 1 - S^2, \\
+  r = -\frac{fS\,dS}{dX}. \end{gathered} \tag{A} $$
 
 It is of the first order and of the second degree, and cannot be separated; but it shows that there is one
 solution that is analytic in the lowest place, except where $aa:kk$ is an odd number from three on. For
@@ -251,7 +252,7 @@ const Emendation under_the_root{
     "§24, the equation, the first root",
     {"√(2ax) under √f", std::sqrt(2 + 0.09 / 2) / std::sqrt(2 * 2 * 0.1)},
     {"√(2x) under √f", std::sqrt(2 + 0.09 / 2) / std::sqrt(2 * 0.1)},
-    "§22 has it so, and the third member, here for a = 2, k = 0,3, x = 0,1",
+    "§22 has it so, and the third member, here for a = 2, k = 0.3, x = 0.1",
     [](double side) {
       return side == within_ulps(sqrt(Fifty(0.09) + 4) / sqrt(Fifty(2) * 2 * Fifty(0.1)), 8, "roots");
     }};

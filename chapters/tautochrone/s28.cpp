@@ -14,8 +14,9 @@ is put into it. Freed of its fractions the equation reads
 
 $$ \begin{aligned}
   &+ar^4{{entry first_power}}\,d\varphi + 2akkrr\,d\varphi + ak^4{{entry last_power_}}\,d\varphi \\
-  &-aar^3{{entry cube}}\,d\varphi\cos\varphi - aakkr\,d\varphi\cos\varphi - k^4r\,d\varphi\cos\varphi \\
-  &-kkr^3\,d\varphi\cos\varphi - aakk\,dr\sin\varphi - k^4dr\sin\varphi = 0. \end{aligned} \tag{1} $$
+  &-aar^3{{entry cube}}\,d\varphi\cos\varphi - aakkr\,d\varphi\cos\varphi \\
+  &- k^4r\,d\varphi\cos\varphi - kkr^3\,d\varphi\cos\varphi \\
+  &- aakk\,dr\sin\varphi - k^4dr\sin\varphi = 0. \end{aligned} \tag{1} $$
 
 If $kk$ vanished, nothing would be left but $ar^4 = aar^3\cos\varphi$, that is $r = a\cos\varphi$. To find
 a truer value he puts
@@ -29,11 +30,12 @@ $$ dr = -a\,d\varphi\sin\varphi + kk\,dP + k^4dQ + \text{etc.,} \tag{3} $$
 and, kept through $k^4$, the powers are
 
 $$ \begin{aligned}
-r^2 &= a^2\cos^2\varphi + 2akkP\cos\varphi + 2ak^4Q\cos\varphi + k^4PP, \\
-r^3 &= a^3\cos^3\varphi + 3aakkP\cos^2\varphi + 3aak^4Q\cos^2\varphi +
-  3ak^4PP{{entry of_the_cube}}\cos\varphi, \\
-r^4 &= a^4\cos^4\varphi + 4a^3kkP\cos^3\varphi + 4a^3k^4Q\cos^3\varphi +
-  6aak^4PP{{entry of_the_fourth}}\cos^2\varphi.
+r^2 &= a^2\cos^2\varphi + 2akkP\cos\varphi \\
+  &\quad + 2ak^4Q\cos\varphi + k^4PP, \\
+r^3 &= a^3\cos^3\varphi + 3aakkP\cos^2\varphi \\
+  &\quad + 3aak^4Q\cos^2\varphi + 3ak^4PP{{entry of_the_cube}}\cos\varphi, \\
+r^4 &= a^4\cos^4\varphi + 4a^3kkP\cos^3\varphi \\
+  &\quad + 4a^3k^4Q\cos^3\varphi + 6aak^4PP{{entry of_the_fourth}}\cos^2\varphi.
 \end{aligned} \tag{4} $$
 
 ::: margin
@@ -99,7 +101,8 @@ The cycloid leaves {{cycloid|3}} of {{eq 1}}; with {{n}} corrections {{left|e2}}
 alt: What the left side of the equation comes to, against k over a, both logarithmic: four straight lines
 of the slopes 2, 4, 6 and 8 for none, one, two and three corrections.
 
-What {{eq 1}} leaves at 30° against $k/a$. Each correction makes the line steeper by two.
+What {{eq 1}} leaves at 30° against $k/a$. Each correction makes the line steeper by two;
+Euler's has both $P$ and $Q$, "three" one more.
 :::
 
 ## Checks

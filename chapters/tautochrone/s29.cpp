@@ -15,8 +15,10 @@ powers of $kk$ and divided by $d\varphi$,
 
 $$ \begin{aligned}
   &+a^5\cos^4\varphi - a^5\cos^4\varphi \\
-  &+ kk\,\bigl(a^4P\cos^3\varphi + a^3\cos^2\varphi - a^3\cos^4\varphi + a^3\sin^2\varphi\bigr) \\
-  &+ k^4\Bigl(a^4Q\cos^3\varphi + 3a^3PP\cos^2\varphi + 3aaP\cos\varphi - 3aaP\cos^3\varphi \\
+  &+ kk\,\bigl(a^4P\cos^3\varphi + a^3\cos^2\varphi \\
+  &\qquad - a^3\cos^4\varphi + a^3\sin^2\varphi\bigr) \\
+  &+ k^4\Bigl(a^4Q\cos^3\varphi + 3a^3PP\cos^2\varphi \\
+  &\qquad + 3aaP\cos\varphi - 3aaP\cos^3\varphi \\
   &\qquad - \frac{aa\,dP\sin\varphi}{d\varphi} + a - a\cos^2\varphi + a\sin^2\varphi\Bigr) = 0.
   \end{aligned}\tag{1} $$
 
