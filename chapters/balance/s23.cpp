@@ -1,5 +1,6 @@
 #include "balance/exchange.hpp"
 #include "balance/motion.hpp"
+#include "balance/scene.hpp"
 #include "edition/section.hpp"
 
 SECTION(balance, 23, "A beam at rest: do the three motions leave each other alone?")
@@ -104,6 +105,11 @@ TELL
   });
 }
 
+TELL
+{
+  scene_on_pivot("stirred", given(), released(0, n, n1), 4 * std::numbers::pi / lambda);
+}
+
 /*!
 After {{t}} s the beam that was left at rest stands at {{omega|4}}; (A) has {{omega_second|4}}.
 
@@ -112,6 +118,14 @@ alt: The beam's inclination over two of its periods, a fast oscillation on a slo
 of a degree. Euler's line is zero.
 
 The beam's motion when one pan is let go alone: by the full equations, by {{eq A}} (dashed), and by Euler.
+:::
+
+::: scene stirred
+alt: A level beam on its pivot, a thread with a pan at each end, the left one drawn aside.
+
+The same in true time and proportions. Euler's beam would stay level; watch its ends while P swings.
+With short arms and heavy pans ($a = \tfrac1{10}b$, $\rho = \tfrac25$) each of the two oscillations in
+{{eq A}} has more than a degree and a half.
 :::
 
 ### The other pan
@@ -187,6 +201,26 @@ CHECK_THAT("the motion is GSL's, the second order (A), and both differ by the ne
                              "near the threshold a difference"));
     CHECK((square > 0) == (rho.fifty() > (4 - l * l / (u * u)) / 32));
   }
+}
+
+CHECK_THAT("the scene shows that motion, in its true time")
+{
+  for(const Told& now : told_at("", "lambda=0.3 mu=4 beta=1.3 rho=0.4 n=12 n1=-5",
+                                "lambda=2 beta=1 rho=0.4", "lambda=0.1 mu=20"))
+  {
+    double last = 0;
+    for(const auto& frame : now.points("stirred", 6))
+    {
+      const double at = frame.at("t");
+      CHECK(frame.value("t") == between(last, 12.6 / lambda, "in their order, two periods of the beam"));
+      last = at;
+      const Angles<> full = at > 0 ? by_gsl(given(), released(0, n, n1), at, 1e-13).at : Angles<>{0, n, n1};
+      for(const auto& column : by_name(joints<double>(0, beta, 1, 0, full.omega, full.eta, full.theta)))
+        CHECK(frame.value(column.first) == within(column.second, 3e-11, "GSL's tolerance, step by step"));
+    }
+  }
+  for(const Told& now : told_at("beta=0.1 rho=0.4"))
+    CHECK(now.value("amplitude", degrees) == between(1.5_deg, 2_deg, "as the caption says"));
 }
 
 CHECK_THAT(
