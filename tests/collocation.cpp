@@ -62,6 +62,24 @@ struct Driven
   }
 };
 
+/// The same, the power of the time being found once a step.
+struct Driven_once
+{
+  static constexpr unsigned freedoms = 1;
+
+  template <class Of, class Real>
+  ELEMENTARY_INLINE static Real driven(const Of&, const Real& t)
+  {
+    return t * t * t;
+  }
+  template <class Of, class Real>
+  ELEMENTARY_INLINE static void accelerations(const Of&, const Real& cube, const Real*, const Real* v,
+                                              Real* a)
+  {
+    a[0] = cube - v[0];
+  }
+};
+
 template <unsigned n>
 double farthest(const Moment<n>& a, const Moment<n>& b)
 {
@@ -241,6 +259,34 @@ TEST_CASE("time and rates may occur in the accelerations")
   const Fifty t = 5;
   const Fifty exact = pow(t, 4) / 4 - pow(t, 3) + 3 * t * t - 6 * t + 6 - 6 * exp(-t);
   CHECK(Motion<Driven>({}, {{0}, {0}}).to(5).x[0] == within_ulps(exact, 4, "some ten steps"));
+}
+
+TEST_CASE("what the time alone drives is found once a step, with the same bits, alone and among others")
+{
+  std::array<Moment<1>, 8> starts;
+  for(unsigned i = 0; i < 8; ++i)
+    starts[i] = {{0.1 * i}, {0.3 - 0.1 * i}};
+  Ensemble<Driven_once> together({}, starts);
+  const auto states = together.to(5);
+  for(unsigned i = 0; i < 8; ++i)
+  {
+    const Moment<1> expected = Motion<Driven>({}, starts[i]).to(5);
+    CHECK(farthest(Motion<Driven_once>({}, starts[i]).to(5), expected) == 0);
+    CHECK(farthest(states[i], expected) == 0);
+  }
+}
+
+TEST_CASE("with the tolerance at which the equations are not solved to rounding a hundred periods keep "
+          "their energy")
+{
+  Motion<Fixed> motion(example, start, {3e-9, 0.05}, balance::systems::best().fixed);
+  double most = 0;
+  for(int part = 1; part <= 20; ++part)
+    most = std::max(most, std::abs(energy_of(motion.to(10 * 3.14159 * part))));
+  MESSAGE("energy over 100 periods: ", most);
+  CHECK(most <= 5e-12);
+  CHECK(motion.to(1000).x[0]
+        == within(Fifty("0.1216967067005352530686950754"), 1e-10, "a thirtieth of the tolerance"));
 }
 
 TEST_CASE("a pendulum passes its lowest point when it must")

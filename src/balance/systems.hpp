@@ -107,12 +107,18 @@ struct Prescribed
   double lambda;                           ///< λ
   double strength;                         ///< (am/b)λ²
 
+  /// What the time alone makes of the weight: the stiffness.
+  template <class Of, class Real>
+  ELEMENTARY_INLINE static Real driven(const Of& of, const Real& t)
+  {
+    return Real(of.strength) * sincos(Real(of.lambda) * t).cosine - Real(of.mu2);
+  }
+
   /// The equation, which is linear.
   template <class Of, class Real>
-  ELEMENTARY_INLINE static void accelerations(const Of& of, const Real& t, const Real* x, const Real*,
+  ELEMENTARY_INLINE static void accelerations(const Of&, const Real& stiffness, const Real* x, const Real*,
                                               Real* a)
   {
-    const Real stiffness = Real(of.strength) * sincos(Real(of.lambda) * t).cosine - Real(of.mu2);
     a[0] = stiffness * x[0];
     a[1] = stiffness * x[1];
   }

@@ -173,6 +173,24 @@ ELEMENTARY_INLINE void forces(const System& of, const Together::Stages& t, const
 }
 /// @}
 
+/// What the accelerations of a System want of the time at all stages: the time itself, or what the System's driven()
+/// makes of it, which is found once a step.
+/// @{
+template <class System>
+ELEMENTARY_INLINE Eight driven(const System& of, const Eight& t)
+{
+  if constexpr(requires { System::driven(of, t); })
+    return System::driven(of, t);
+  else
+    return t;
+}
+template <class System>
+ELEMENTARY_INLINE Together::Stages driven(const System& of, const Together::Stages& t)
+{
+  return by_stage([&of](const Eight& at) { return driven(of, at); }, t);
+}
+/// @}
+
 /// Σ columns[j]·Fⱼ at each stage.
 /// @{
 ELEMENTARY_INLINE Eight combined(const double (&columns)[8][8], const Eight& F)
@@ -352,14 +370,14 @@ private:
         x[k] = Stages(x_[k]);
         v[k] = Stages(v_[k]);
       }
-      forces(of_, Stages(t_), x, v, first);
+      forces(of_, driven(of_, Stages(t_)), x, v, first);
       for(unsigned k = 0; k < n; ++k)
         G[k] = select(begun, G[k], first[k]);
     }
   }
 
   // One sweep: from the accelerations the velocities and places at the stages, and from these the accelerations.
-  ELEMENTARY_INLINE void sweep(const Number& h, const Stages& t, const Stages& of_step,
+  ELEMENTARY_INLINE void sweep(const Number& h, const Stages& drive, const Stages& of_step,
                                const Stages (&F)[n], Stages (&G)[n]) const
   {
     Stages x[n], v[n];
@@ -370,7 +388,7 @@ private:
       const Stages drift = of_step * Stages(v_[k]);
       x[k] = Stages(x_[k]) + (drift + (h_of_all * h_of_all) * combined(coefficients::twice, F[k]));
     }
-    forces(of_, t, x, v, G);
+    forces(of_, drive, x, v, G);
   }
 
   ELEMENTARY_INLINE static Number size_of(const Stages (&F)[n])
@@ -389,28 +407,30 @@ private:
     return size;
   }
 
-  // Solves the equations of a step by repetition. Converged is what changes no more, but for rounding.
+  // Solves the equations of a step by repetition. Converged is what changes no more, but for rounding, or, where the
+  // tolerance is coarse, for 2⁻¹⁸ of it.
   ELEMENTARY_INLINE Answer solved(const Answer& going, const Number& h, Stages (&F)[n],
                                   Effort& effort) const
   {
-    constexpr double rounding = 0x1p-54, noise = 0x1p-44;
+    constexpr double noise = 0x1p-44, rounding = 0x1p-54;
+    const double rest = select(effort.tolerance <= 0x1p-36, rounding, 0x1p-18 * effort.tolerance);
     constexpr int most = 60;
     const Stages of_step = Stages(h) * Layout::table(coefficients::c);
-    const Stages t = Stages(t_) + (of_step + Stages(t_lost_));
+    const Stages drive = driven(of_, Stages(t_) + (of_step + Stages(t_lost_)));
     Answer busy = going, good = going;
     Number before(0.0);
     for(int count = 1; any(busy); ++count)
     {
       ++effort.sweeps;
       Stages G[n], change[n];
-      sweep(h, t, of_step, F, G);
+      sweep(h, drive, of_step, F, G);
       for(unsigned k = 0; k < n; ++k)
         change[k] = G[k] - F[k];
       const Number changed = size_of(change), size = size_of(G);
       for(unsigned k = 0; k < n; ++k)
         F[k] = select(busy, G[k], F[k]);
       const Answer smaller = changed <= Number(0.5) * before;
-      const Answer settled = changed * changed <= Number(rounding) * (size * before);
+      const Answer settled = changed * changed <= Number(rest) * (size * before);
       const Answer quiet = (!smaller) & (changed <= Number(noise) * size);
       const Answer done = count == 1 ? changed <= Number(0.0) : (settled & smaller) | quiet;
       const Answer failing =

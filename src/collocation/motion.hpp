@@ -19,6 +19,9 @@
 /// const double angle = motion.to(10).x[0];
 /// @endcode
 ///
+/// A system whose accelerations know the time only through one number may say what that is, in a function driven(of, t):
+/// then accelerations() is given that number for t, and it is found once a step.
+///
 /// Errors, measured in tests/collocation.cpp: of the tolerance 1e-14 a step the motions that return to where they were
 /// (a pendulum, Euler's balance of §36) are right to 5e-14 of their amplitude after a hundred periods and to 1e-10 after
 /// ten thousand, when the energy still has 3e-12; of a wild motion the error divided by its condition is less than fifty
@@ -47,7 +50,7 @@ struct Care
 {
   double tolerance =
       1e-14;  ///< error of a step relative to the velocities, by an estimate that is mostly far too
-              ///< high; 1e-24 to 0.01
+              ///< high; 1e-24 to 0.01. From 2⁻³⁶ on the step's equations are solved to 2⁻¹⁸ of it
   double first_step =
       0.125;  ///< what is tried first; found too long, it is shortened, found too short, lengthened
 };
