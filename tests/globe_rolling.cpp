@@ -140,6 +140,31 @@ TEST_CASE("in double times keep what they promise, from the smallest swing to th
   CHECK(rolling::quarter(ball, energy(1.0)) == std::numeric_limits<double>::infinity());
 }
 
+TEST_CASE("the means that give a whole quarter are right for every ball and all the way to the top")
+{
+  double worst = 0;
+  int step = 0;
+  for(const double c : {1e-9, 1e-4, 0.03, 0.5, 0.99, 3.0, 1e3})
+    for(const double k : {1e-12, 1e-5, 0.2, 1.0, 40.0})
+      for(double below = 0.97; below > 1e-30; below *= 0.31, ++step)
+      {
+        const Ball<double> b{1, c * (1 + 0.01 * (step % 7)), k};
+        for(const double lacks : {below, -below, -1 / below})
+        {
+          const Energy<double> e = energy_from_top(lacks);
+          const Fifty exact = rolling::quarter(exactly(b), {1 - Fifty(lacks), lacks});
+          worst = std::max(worst, exact::ulps(rolling::quarter(b, e), exact));
+        }
+      }
+  MESSAGE("worst of ", 3 * step, " quarters: ", worst, " ulps");
+  CHECK(worst <= 8);
+  // where q is 10⁴⁰, nearly the greatest that is allowed, and next to no energy or all of it is missing
+  const Ball<double> thin{1, 1, 2e-20};
+  for(const double below : {1 - 0x1p-53, 0.5, 1e-300, 5e-324, -5e-324, -1e300})
+    CHECK(rolling::quarter(thin, energy_from_top(below))
+          == within_ulps(rolling::quarter(exactly(thin), {1 - Fifty(below), below}), 8, bound));
+}
+
 TEST_CASE(
     "the formula and the quadrature that judges it agree, in every regime, and its inverse comes back")
 {

@@ -107,9 +107,9 @@ Real moderate_F(Real x, Real y, Real z)
   using std::sqrt;
   Real mean = (x + y + z) / 3;
   const Real dx = mean - x, dy = mean - y;
-  const Real spread = largest(dx, dy, Real(mean - z)) / near_enough_F<Real>;
+  const Real spread = largest(dx, dy, Real(mean - z));
   Real quarter = 1;  // 4⁻ⁿ
-  while(spread * quarter > mean)
+  while(spread * quarter > near_enough_F<Real> * mean)
   {
     const Real shift = shift_of(x, y, z);
     x = (x + shift) / 4;
@@ -129,9 +129,9 @@ Real moderate_D(Real x, Real y, Real z)
   using std::sqrt;
   Real mean = (x + y + 3 * z) / 5;
   const Real dx = mean - x, dy = mean - y;
-  const Real spread = largest(dx, dy, Real(mean - z)) / near_enough_J<Real>;
+  const Real spread = largest(dx, dy, Real(mean - z));
   Real quarter = 1, sum = 0;
-  while(spread * quarter > mean)
+  while(spread * quarter > near_enough_J<Real> * mean)
   {
     const Real shift = shift_of(x, y, z);
     sum += 3 * quarter / (sqrt(z) * (z + shift));
@@ -149,6 +149,40 @@ Real moderate_D(Real x, Real y, Real z)
   return sum + quarter * series / (mean * sqrt(mean));
 }
 
+// The roots of four numbers, two to a register: each as it is alone.
+template <class Real>
+struct Roots
+{
+  Real x, y, z, p;
+
+  Roots(const Real& x0, const Real& y0, const Real& z0, const Real& p0)
+  {
+    using std::sqrt;
+    if constexpr(is_double<Real>)
+    {
+      double two[2] = {x0, y0}, others[2] = {z0, p0};
+      for(double& number : two)
+        number = std::sqrt(number);
+      for(double& number : others)
+        number = std::sqrt(number);
+      x = two[0], y = two[1], z = others[0], p = others[1];
+    }
+    else
+      x = sqrt(x0), y = sqrt(y0), z = sqrt(z0), p = sqrt(p0);
+  }
+};
+
+// arctan √u over √u, or artanh √−u over √−u, for |u| ≤ 1/16: the first term that it lacks is below 2⁻⁵⁶.
+double arc_over_tangent(double u)
+{
+  const auto of = [](int n) { return (n % 2 == 0 ? 1. : -1.) / (2 * n + 1); };
+  const double u2 = u * u, u4 = u2 * u2;
+  const double low = (of(1) + u * of(2)) + u2 * (of(3) + u * of(4));
+  const double middle = (of(5) + u * of(6)) + u2 * (of(7) + u * of(8));
+  const double high = (of(9) + u * of(10)) + u2 * (of(11) + u * of(12)) + u4 * of(13);
+  return 1 + u * (low + u4 * (middle + u4 * high));
+}
+
 // R_F too, where it is wanted.
 template <bool with_F, class Real>
 First_and_third<Real> moderate_J(Real x, Real y, Real z, Real p)
@@ -159,16 +193,18 @@ First_and_third<Real> moderate_J(Real x, Real y, Real z, Real p)
   Real mean = (x + y + z + 2 * p) / 5;
   const Real dx = mean - x, dy = mean - y, dz = mean - z;
   const Real delta = (p - x) * (p - y) * (p - z);
-  const Real spread = max(largest(dx, dy, dz), Real(abs(mean - p))) / near_enough_J<Real>;
+  const Real spread = max(largest(dx, dy, dz), Real(abs(mean - p)));
   Real quarter = 1, eighth = 1;  // 4⁻ⁿ and 8⁻ⁿ
   Real sum = 0;
   Real arm[most_steps<Real>], norm[most_steps<Real>];  // of the complex numbers 1 + i√δ g: g, and 1 + δgg
   int steps = 0;
-  while(spread * quarter > mean)
+  while(spread * quarter > near_enough_J<Real> * mean)
   {
-    const Real shift = shift_of(x, y, z);
-    const Real w = sqrt(p);
-    const Real inverse = 1 / ((w + sqrt(x)) * (w + sqrt(y)) * (w + sqrt(z)));
+    const Roots<Real> r(x, y, z, p);
+    // by products of roots where one bringing together serves both integrals and is to be quick
+    const Real shift = with_F ? Real(r.x * r.y + r.z * (r.x + r.y)) : shift_of(x, y, z);
+    const Real& w = r.p;
+    const Real inverse = 1 / ((w + r.x) * (w + r.y) * (w + r.z));
     arm[steps] = eighth * inverse;
     norm[steps] = 2 * w * (p + shift) * inverse;
     ++steps;
@@ -203,9 +239,17 @@ First_and_third<Real> moderate_J(Real x, Real y, Real z, Real p)
     const Real t = root * arm[n];
     sum += twice * (delta > 0 ? Real(atan(t)) : Real(asinh(t / sqrt(norm[n])))) / root;
   }
-  if(delta == 0)
+  bool small = false;
+  if constexpr(is_double<Real>)
+  {
+    const double t = b / a, u = delta * t * t;
+    small = a > 0 && abs(u) <= 0.0625;
+    if(small)
+      sum += twice * t * arc_over_tangent(u);
+  }
+  if(!small && delta == 0)
     sum += b;
-  else
+  else if(!small)
     sum += twice * (delta > 0 ? Real(atan2(Real(root * b), a)) : Real(atanh(root * b / a))) / root;
 
   const Real scale = quarter / mean;

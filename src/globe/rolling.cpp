@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "elliptic/carlson.hpp"
@@ -21,9 +22,9 @@ using exact::Fifty;
 template <class Real>
 void require_ball(const Ball<Real>& ball)
 {
-  using std::sqrt;
-  const Real limit = 1e20 * sqrt(bb(ball));
-  if(!(ball.a > 0 && ball.c > 0 && ball.k > 0 && ball.a <= limit && ball.c <= limit && limit < 1e150))
+  const Real limit = 1e40 * bb(ball);
+  if(!(ball.a > 0 && ball.c > 0 && ball.k > 0 && ball.a * ball.a <= limit && ball.c * ball.c <= limit
+       && limit < 1e300))
     throw std::domain_error("the rolling ball needs a, c, k > 0 and a, c ≤ 10²⁰ b");
 }
 
@@ -39,6 +40,54 @@ Real time_to(const Ball<Real>& ball, const Real& sine, const Real& of_rest, cons
   const auto [F, J] = elliptic::R_F_and_J(of_rest, of_top, Real(1 + q), Real(1));
   return b * sine * (F + q / 3 * J);
   // [time]
+}
+
+// The same formula, all arguments of its integrals times bbh: no quotient and no root is left outside them.
+double time_by_products(const Ball<double>& ball, double h, double sine, double left, double tt)
+{
+  const double inertia = bb(ball), own = 4 * ball.a * ball.c * (sine * sine);
+  const auto [F, J] =
+      elliptic::R_F_and_J(left * inertia, h * tt * inertia, h * (inertia + own), h * inertia);
+  return inertia * sine * (F + h * own / 3 * J);
+}
+
+// What stands in the brackets above, where the first of the arguments is 0, 1 − ϖ being y: by Gauss's means a and g,
+// and with them p, which goes to the same limit (Borchardt's and Bulirsch's way to integrals of the third kind).
+// With Sₙ = 1 + ½εₙ Sₙ₊₁ and ε = (pp − ag)/(pp + ag) the brackets are ½π(1 + ½qS₀) over the mean. S, and Cₙ = 2 − Sₙ
+// with it, are found from the last on by sums of what is positive: where q is large S₀ is small, and keeps its digits.
+double whole_by_means(double y, double q)
+{
+  constexpr int most = 32;  // 12 suffice
+  double a = std::sqrt(1 + q), g = std::sqrt(y), p = 1, of_p[most], of_mean[most];
+  int n = 0;
+  for(bool near = false; !near && n < most; ++n)
+  {
+    const double ag = a * g, pp = p * p, both = pp + ag, part = 1 / both;
+    of_p[n] = pp * part;
+    of_mean[n] = ag * part;
+    near = std::abs(a - g) <= 1e-8 * a && std::abs(pp - ag) <= 1e-8 * both;
+    p = both / (2 * p);
+    a = (a + g) / 2;
+    g = std::sqrt(ag);
+  }
+  double S = 1, C = 1;
+  while(n-- > 0)
+  {
+    const double half = C / 2;
+    C = half + of_mean[n] * S;
+    S = half + of_p[n] * S;
+  }
+  return std::numbers::pi / 2 * (1 + q / 2 * S) / a;
+}
+
+// The formula from the lowest place to the end of a quarter.
+template <class Real>
+Real whole(const Ball<Real>& ball, const Real& sine, const Real& y, const Real& ss)
+{
+  if constexpr(std::is_same_v<Real, double>)
+    return std::sqrt(bb(ball)) * sine * whole_by_means(y, 4 * ball.a * ball.c * ss / bb(ball));
+  else
+    return time_to(ball, sine, Real(0), y, ss);
 }
 
 // With the energy for the top, so near it that cos² ½Φ is about to vanish among the doubles.
@@ -123,6 +172,9 @@ Real time(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& plac
     throw std::domain_error("the ball does not get there");
   if(is_beyond_carlson(e, tt))
     return separatrix_time(ball, place);
+  if constexpr(std::is_same_v<Real, double>)
+    if(const double both = e.h * bb(ball); both > 1e-40 && both < 1e40 && e.h > 1e-20 && e.h < 1e20)
+      return time_by_products(ball, e.h, place.s, max(left, 0.), tt);
   return time_to(ball, Real(place.s / sqrt(e.h)), max(Real(left / e.h), Real(0)), tt, ss);
 }
 
@@ -135,8 +187,8 @@ Real quarter(const Ball<Real>& ball, const Energy<Real>& e)
   if(e.from_top == 0)
     return std::numeric_limits<double>::infinity();
   if(e.turns_over())
-    return time_to(ball, Real(1 / sqrt(e.h)), Real(-e.from_top / e.h), Real(0), Real(1));
-  return time_to(ball, Real(1), Real(0), e.from_top, e.h);
+    return whole(ball, Real(1 / sqrt(e.h)), Real(-e.from_top / e.h), Real(1));
+  return whole(ball, Real(1), e.from_top, e.h);
 }
 
 double excess(const Ball<double>& ball, const Energy<double>& e)

@@ -28,7 +28,8 @@ template <class Real>
 Real time(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& place);
 
 /// The time from the lowest place to rest (h < 1), or over half a turn (h > 1), by the same formula; +∞ at
-/// h = 1. Error in double: 8 ulps.
+/// h = 1. In double the integrals, being complete, are found by means of Gauss's kind. Error in double: 8 ulps; the worst
+/// found is below 7.
 template <class Real>
 Real quarter(const Ball<Real>& ball, const Energy<Real>& e);
 
