@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
+import { libraries } from './scenes.mjs';
 
 const [build, speeds] = process.argv.slice(2);
 const bin = path.join(build, 'bin');
@@ -40,8 +41,7 @@ for (const program of fs
         methods: methods.map(short),
       })),
     });
-if (fs.existsSync(path.join(bin, 'bench-swing'))) {
-  const { scenes } = run('bench-swing', '--json');
-  record('swing', { scenes });
-}
+for (const library of libraries)
+  if (fs.existsSync(path.join(bin, `bench-${library}`)))
+    record(library, { scenes: run(`bench-${library}`, '--json').scenes });
 for (const old of fs.readdirSync(speeds)) if (!recorded.has(old)) fs.rmSync(path.join(speeds, old));

@@ -1,10 +1,10 @@
 // Draws error against time: a section's races, from what its program told and the run recorded in book/speeds;
-// for the name `swing`, the scenes of the library and its peers, and of each group of scenes the worst errors
-// side by side. Usage: node race.mjs SOURCE BUILD PROGRAM GNUPLOT.
+// for a part of the library, its scenes beside its peers, and of each group of scenes the worst errors side by side.
+// Usage: node race.mjs SOURCE BUILD PROGRAM GNUPLOT.
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
-import { familyOf, floor, front, groups, idOf, kindOf, plainly, recordedOf } from './scenes.mjs';
+import { drawn, familyOf, fails, floor, front, groups, idOf, kindOf, plainly, recordedOf } from './scenes.mjs';
 
 const [source, build, program, gnuplot] = process.argv.slice(2);
 const json = (...file) => JSON.parse(fs.readFileSync(path.join(...file), 'utf8'));
@@ -12,9 +12,6 @@ const recorded = json(source, `book/speeds/${program}.json`);
 
 /** A method's colour, as a linetype of figures/style.gp. */
 const colour = { ours: 1, Euler: 2, classic: 3, peer: 7 };
-
-/** A method's worst error; none at all is drawn where the plots of scenes end. */
-const worstOf = (m) => Math.max(m.ulps_max, 0.05);
 
 const lines = (heads, rows) => [heads, ...rows].map((r) => `${r.join('\t')}\n`).join('');
 
@@ -91,7 +88,7 @@ function errors(name, group) {
     scene.methods.forEach((m) => {
       const label = familyOf(m.name) ?? m.name.replace(/, one by one$/, '');
       const way = ways.get(label) ?? { label, kind: m.kind, at: [] };
-      way.at[row] = { row, error: m.failures < m.judged ? worstOf(m) : NaN };
+      way.at[row] = { row, error: fails(m) ? NaN : drawn(m) };
       ways.set(label, way);
     }),
   );
@@ -133,14 +130,14 @@ if (recorded.scenes) {
     race(
       `${program}.race-${idOf(scene.name)}`,
       scene.methods
-        .filter((m) => m.failures < m.judged)
+        .filter((m) => !fails(m))
         .map((m) => ({
           ...m,
           name: plainly(m.name),
           family: familyOf(m.name),
-          error: worstOf(m),
+          error: drawn(m),
         })),
-      `worst error (${scene.error_unit})`,
+      scene.error_unit === '1' ? 'error' : `${scene.methods[0].error === undefined ? 'worst error' : 'error'} (${scene.error_unit})`,
     );
   for (const group of groups(recorded.scenes).filter((g) => g.scenes.length > 5))
     errors(`${program}.errors-${group.id}`, group);

@@ -1,6 +1,9 @@
 // What book/speeds records: the methods of a section's race; the scenes of the library, their names for files and
 // values, and which belong together.
 
+/** The parts of the library that have a benchmark: bench-NAME, recorded as book/speeds/NAME.json. */
+export const libraries = ['swing', 'balance', 'globe'];
+
 /** A name for files and values: "Φ(t), ζ = 10⁻⁴" is phi-t-zeta-10-4. */
 export const idOf = (name) =>
   name
@@ -36,6 +39,15 @@ export const kindOf = (name) => (/^this edition/.test(name) ? 'ours' : /^Euler/.
 
 /** Relative errors below this are drawn at it; the data keep what they are. */
 export const floor = 1e-17;
+
+/** A way's worst error in a scene of the library: over all arguments, or of the one motion that the scene is about. */
+export const worst = (m) => m.error ?? m.ulps_max;
+
+/** Whether it gives no number at any of the arguments. */
+export const fails = (m) => m.failures !== undefined && m.failures === m.judged;
+
+/** The error at which it is drawn: ulps are not told apart below a twentieth. */
+export const drawn = (m) => Math.max(worst(m), m.error === undefined ? 0.05 : floor);
 
 /** Those that no other beats both in time and in error, from the quickest to the most exact. */
 export const front = (points) =>

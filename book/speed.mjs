@@ -4,11 +4,15 @@ import path from 'node:path';
 import { table, tableEnd } from './claims.mjs';
 import { asText, asTime, format } from './numbers.mjs';
 import { escape } from './prose.mjs';
-import { familyOf, floor, front, groups, idOf, kindOf, plainly, recordedOf } from './scenes.mjs';
+import { drawn, familyOf, fails, floor, front, groups, idOf, kindOf, plainly, recordedOf, worst } from './scenes.mjs';
 import { lookedAt } from './sectionpage.mjs';
 
 const short = (x, form) => asText(format({ value: x }, x !== 0 && (x < 1e-3 || x >= 1e5) ? 'e2' : form));
-const ulps = (m) => (m.failures === m.judged ? 'fails' : short(m.ulps_max, '2'));
+const worstShort = (m) => (fails(m) ? 'fails' : short(worst(m), '2'));
+
+/** The scenes of all parts of the library, each with the part it is of. */
+const scenesOf = (book) =>
+  Object.entries(book.library).flatMap(([part, { scenes }]) => scenes.map((s) => ({ ...s, part })));
 
 const recordedOn = (run) =>
   `Recorded on ${escape(run.machine)} with ${escape(run.compiler)}, ${escape(run.flags)}.`;
@@ -134,20 +138,33 @@ function find(list, name, what) {
 
 /** `{{collected scene NAME}}`: one scene, plot and numbers. */
 export function scene(book, name) {
-  const it = find(book.swing.scenes, name, 'scene');
+  const it = find(scenesOf(book), name, 'scene');
   const points = it.methods
-    .filter((m) => m.failures < m.judged)
-    .map((m) => ({ ...m, family: familyOf(m.name), error: Math.max(m.ulps_max, 0.05) }));
+    .filter((m) => !fails(m))
+    .map((m) => ({ ...m, family: familyOf(m.name), error: drawn(m) }));
   const alt = `${it.quantity}: worst error against time per evaluation, both logarithmic, for ${it.methods.length} ways.`;
-  const heads = ['way', 'time', 'ratio', `worst <span class="unit">${it.error_unit}</span>`, 'mean', 'fails'];
+  const unit = it.error_unit === '1' ? '' : ` <span class="unit">${it.error_unit}</span>`;
+  const motions = it.methods.some((m) => m.error !== undefined);
+  const energy = it.methods.some((m) => m.energy !== undefined);
+  const heads = [
+    ...['way', 'time', 'ratio'],
+    ...(motions ? [`error${unit}`, ...(energy ? ['energy'] : [])] : [`worst${unit}`, 'mean', 'fails']),
+  ];
+  const judged = (m) =>
+    motions
+      ? [worstShort(m), ...(energy ? [short(m.energy, '2')] : [])]
+      : [
+          worstShort(m),
+          fails(m) ? '' : short(m.ulps_mean, '2'),
+          m.failures ? `${m.failures} of ${m.judged}` : '',
+        ];
   const rows = it.methods.map(
     (m) =>
-      `<tr><th scope="row">${escape(m.name)}</th><td>${asTime(m.seconds)}</td><td>${short(m.ratio, '2')}</td>` +
-      `<td>${ulps(m)}</td><td>${m.failures === m.judged ? '' : short(m.ulps_mean, '2')}</td>` +
-      `<td>${m.failures ? `${m.failures} of ${m.judged}` : ''}</td></tr>\n`,
+      `<tr><th scope="row">${escape(m.name)}</th>` +
+      `${[asTime(m.seconds), short(m.ratio, '2'), ...judged(m)].map((c) => `<td>${c}</td>`).join('')}</tr>\n`,
   );
   return (
-    `${plot(book, `swing.race-${idOf(it.name)}`, alt, `${escape(capital(it.quantity))}. ${legend(points)}`)}` +
+    `${plot(book, `${it.part}.race-${idOf(it.name)}`, alt, `${escape(capital(it.quantity))}. ${legend(points)}`)}` +
     `<details class="folded"><summary>the numbers of all ${it.methods.length}</summary>\n` +
     `${table(escape(it.name), heads)}${rows.join('')}${tableEnd}</details>\n`
   );
@@ -155,11 +172,11 @@ export function scene(book, name) {
 
 /** `{{collected errors GROUP}}`: the worst errors of a group of scenes, side by side. */
 export function errors(book, name) {
-  const group = find(groups(book.swing.scenes), name, 'group of scenes');
+  const group = find(groups(scenesOf(book)), name, 'group of scenes');
   const alt = `${group.name}: the worst error of each way in ${group.scenes.length} scenes, logarithmic.`;
   return plot(
     book,
-    `swing.errors-${group.id}`,
+    `${group.scenes[0].part}.errors-${group.id}`,
     alt,
     `${escape(group.scenes[0].quantity)}: the worst errors, in ${escape(group.scenes[0].error_unit)}, scene by scene.`,
     'errors',
@@ -168,11 +185,11 @@ export function errors(book, name) {
 
 /** `{{collected scenes GROUP}}`: the numbers of a group of scenes, worst error above time. */
 export function scenes(book, name) {
-  const group = find(groups(book.swing.scenes), name, 'group of scenes');
+  const group = find(groups(scenesOf(book)), name, 'group of scenes');
   const rows = group.scenes[0].methods.map((first) => {
     const cells = group.scenes.map((s) => {
       const m = find(s.methods, first.name, 'method');
-      return `<td>${ulps(m)}<span class="below">${asTime(m.seconds)}</span></td>`;
+      return `<td>${worstShort(m)}<span class="below">${asTime(m.seconds)}</span></td>`;
     });
     return `<tr><th scope="row">${escape(first.name)}</th>${cells.join('')}</tr>\n`;
   });
@@ -183,23 +200,29 @@ export function scenes(book, name) {
   return `${table(escape(group.name), heads, ' tight')}${rows.join('')}${tableEnd}`;
 }
 
-/** `{{collected provenance}}`: on what the library's run was recorded. */
-export const provenance = (book) => `<p class="provenance">${recordedOn(book.swing)}</p>\n`;
+/** `{{collected provenance PART}}`: on what the run of a part of the library was recorded. */
+export function provenance(book, part) {
+  if (!book.library[part]) throw new Error(`no run ${part} (${Object.keys(book.library).join(', ')})`);
+  return `<p class="provenance">${recordedOn(book.library[part])}</p>\n`;
+}
 
 /**
  * A recorded number by its name in prose, speed.SCENE.METHOD.WHAT: `faster`, how many times as fast as the scene's
- * peer; `worst`, the worst error; `ns`, the time of one evaluation; `fails`, the share of arguments it fails at. Of
+ * peer; `worst`, the worst error; `ns` or `ms`, the time of one evaluation; `energy`, what a motion adds to its energy or
+ * loses of it; `fails`, the share of arguments it fails at. Of
  * a group of scenes it is the least favourable.
  */
 export function value(book, name) {
   const [, where, method, what] = name.split('.');
-  const all = book.swing.scenes;
+  const all = scenesOf(book);
   const group = groups(all).find((g) => g.id === where)?.scenes ?? [find(all, where, 'scene')];
   const found = group.map((scene) => find(scene.methods, method ?? '', 'method'));
   const meanings = {
     faster: [(m) => 1 / m.ratio, `how many times as fast as ${group[0].peer}`, Math.min],
-    worst: [(m) => m.ulps_max, `worst error, ${group[0].error_unit}`, Math.max],
+    worst: [worst, `worst error, ${group[0].error_unit}`, Math.max],
     ns: [(m) => m.seconds * 1e9, 'nanoseconds for one evaluation', Math.max],
+    ms: [(m) => m.seconds * 1e3, 'milliseconds for one evaluation', Math.max],
+    energy: [(m) => Math.abs(m.energy), 'relative error of the energy', Math.max],
     fails: [(m) => m.failures / m.judged, 'share of the arguments at which it gives no number', Math.max],
   };
   if (!meanings[what]) throw new Error(`{{${name}}} ends in none of ${Object.keys(meanings).join(', ')}`);

@@ -13,6 +13,7 @@ import { divisions } from './map.mjs';
 import { packages } from './packages.mjs';
 import { blocks, named, tagged } from './section.mjs';
 import { lookedAt, sectionPage } from './sectionpage.mjs';
+import { libraries } from './scenes.mjs';
 import { value } from './speed.mjs';
 
 const [source, build, ...options] = process.argv.slice(2);
@@ -48,7 +49,7 @@ function fault(file, line, message) {
 const edition = json(path.join(source, 'book/edition.json'));
 const Ajv = packages('ajv');
 const valid = Object.fromEntries(
-  ['section', 'check', 'speeds'].map((name) => [
+  ['section', 'check', 'speeds', 'library'].map((name) => [
     name,
     new Ajv({ strict: true, allErrors: false }).compile(json(path.join(source, `book/schema/${name}.json`))),
   ]),
@@ -179,7 +180,9 @@ const book = {
       .filter(Boolean)
       .map((s) => [s.id, s]),
   ),
-  swing: json(path.join(source, 'book/speeds/swing.json')),
+  library: Object.fromEntries(
+    libraries.map((name) => [name, checked('library', path.join(source, `book/speeds/${name}.json`))]),
+  ),
   colours: palette(read(path.join(source, 'figures/style.gp'))),
   snippet,
   divisions,
