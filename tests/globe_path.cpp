@@ -9,6 +9,7 @@
 
 #include "edition/compare.hpp"
 #include "exact/ode.hpp"
+#include "globe/judge.hpp"
 #include "globe/path.hpp"
 #include "globe/rolling.hpp"
 #include "globe/smooth.hpp"
@@ -220,6 +221,33 @@ TEST_CASE("scraping and rolling alternate for ever, and what is lost dies as one
   const double least = 1 - 0.5 * std::cos(static_cast<double>(threshold));
   CHECK(last_energy > least);
   CHECK(last_energy < least + 0.01);
+}
+
+TEST_CASE("the judge puts rounded times right, and finds out a change that is kept from it")
+{
+  const oracle::Judge judge(cradle<Fifty>, cradle_g<Fifty>, Fifty(1) / 5);
+  std::vector<double> times;
+  for(const Found& one : let_go)
+    times.push_back(std::round(std::stod(one.t) * 1e11) / 1e11);
+  const std::vector<oracle::Stretch> all = judge.stretches({0, 0, 1, 0}, times);
+  REQUIRE(all.size() == let_go.size() + 1);
+  for(std::size_t i = 0; i < let_go.size(); ++i)
+  {
+    const oracle::Stretch& now = all[i + 1];
+    CHECK(now.from == within(Fifty(let_go[i].t), 1e-17, "steps of 1e-20, and what the motion makes of it"));
+    CHECK(now.start.Phi == within(Fifty(let_go[i].Phi), 1e-17, "the same"));
+    CHECK(now.start.w == within(Fifty(let_go[i].w), 1e-17, "the same"));
+    CHECK(judge.energy(now.start) == within(Fifty(let_go[i].energy), 1e-17, "the same"));
+    CHECK(all[i].margin > 0);
+    CHECK(now.mode
+          == (i % 2 == 0   ? Mode::rolling
+              : i % 4 == 1 ? Mode::scraping_backwards
+                           : Mode::scraping_forwards));
+  }
+  const Fifty t("2.2");
+  CHECK(judge.at(all, t).Phi == within(let_go_path<Fifty>(3).at(t).Phi, 1e-17, "steps of 1e-20"));
+  CHECK(judge.stretches({0, 0, 1, 0}, {times[0], times[2]})[1].margin < 0);
+  CHECK(judge.stretches({0, 0, 1, 0}, {times[1]})[0].margin < 0);
 }
 
 TEST_CASE("what makes no sense is refused")

@@ -85,8 +85,9 @@ Accelerations<Real> accelerations(const Ball<Real>& ball, const Real& g, const R
 {
   using std::cos, std::sin;
   const auto& [a, c, k] = ball;
-  const Real arm = lambda * (a - c * cos(Phi)) - c * sin(Phi);  // of Π and its friction together, about G
-  const Real pressure = k * k * (1 + c * w * w * cos(Phi) / (2 * g)) / (k * k - c * sin(Phi) * arm);
+  const Real s = sin(Phi), u = cos(Phi);
+  const Real arm = lambda * (a - c * u) - c * s;  // of Π and its friction together, about G
+  const Real pressure = k * k * (1 + c * w * w * u / (2 * g)) / (k * k - c * s * arm);
   return {-2 * g * lambda * pressure, 2 * g * (pressure - 1), 2 * g * pressure * arm / (k * k), pressure};
 }
 

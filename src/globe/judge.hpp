@@ -1,0 +1,71 @@
+/// @file
+/// A motion with friction in fifty digits, by Newton's equations alone: what a Path is judged by.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "exact/ode.hpp"
+#include "globe/path.hpp"
+
+namespace globe::oracle
+{
+
+/// What the ball does from one change to the next.
+struct Stretch
+{
+  exact::Fifty from;          ///< when it begins
+  Mode mode;                  ///< what the ball does
+  State<exact::Fifty> start;  ///< the state in which it begins
+  exact::Fifty
+      margin;  ///< the least of Judge::margins() in four places up to the next change; of the last, 1
+};
+
+/// The stretch in which the time t ≥ 0 lies; `motion` as Judge::stretches() gives it.
+const Stretch& stretch_at(const std::vector<Stretch>& motion, const exact::Fifty& t);
+
+/// Newton's equations with friction. It is told when the ball changes what it does, but not to what; it puts the
+/// times right, and looks in between whether the ball may do what it is taken to do. Since the equations
+/// have one solution only, a motion that passes is the true one, but for a change that is made and undone between
+/// two of the four places looked at in every stretch.
+///
+/// Source: accelerations() and rolling_accelerations() of G, integrated by exact::solve(); the times of the changes by
+/// two steps of Newton's method. Good to 18 digits where the times told are to 11.
+class Judge
+{
+public:
+  /// Domain: as Path.
+  Judge(const Ball<exact::Fifty>& ball, const exact::Fifty& g, const exact::Fifty& mu)
+      : ball_(ball), g_(g), mu_(mu)
+  {
+  }
+
+  /// The motion from a state at t = 0 through changes at the times told, which rise: one stretch more than these.
+  std::vector<Stretch> stretches(const State<exact::Fifty>& start, const std::vector<double>& told) const;
+
+  /// The state so long after another, or before it; the ball does the same all the while.
+  State<exact::Fifty> after(const State<exact::Fifty>& from, Mode mode, const exact::Fifty& time) const;
+
+  /// The state at the time t ≥ 0 of a motion.
+  State<exact::Fifty> at(const std::vector<Stretch>& motion, const exact::Fifty& t) const;
+
+  /// What must be positive as long as the ball does this: of one that scrapes, how fast it does; of one that
+  /// rolls, μΠ less the friction backwards and forwards (over P); and last what holds it down, 1 + cww cos Φ/2g.
+  std::array<exact::Fifty, 3> margins(const State<exact::Fifty>& at, Mode mode) const;
+
+  /// The energy over the mass, as Path::energy().
+  exact::Fifty energy(const State<exact::Fifty>& at) const;
+
+private:
+  exact::State forwards(const exact::State& G, Mode mode) const;
+  State<exact::Fifty> in_a_moment(const State<exact::Fifty>& from, Mode mode,
+                                  const exact::Fifty& time) const;
+  Mode without_slip(const State<exact::Fifty>& at) const;
+  exact::State of_G(const State<exact::Fifty>& at) const;
+  State<exact::Fifty> of_contact(const exact::State& G, Mode mode) const;
+
+  Ball<exact::Fifty> ball_;
+  exact::Fifty g_, mu_;
+};
+
+}  // namespace globe::oracle
