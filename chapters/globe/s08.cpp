@@ -1,7 +1,6 @@
 #include "edition/section.hpp"
-#include "exact/ode.hpp"
 #include "exact/quadrature.hpp"
-#include "globe/path.hpp"
+#include "globe/judge.hpp"
 #include "globe/rolling.hpp"
 
 SECTION(globe, 8, "Two equations for s and Φ, and what follows from them")
@@ -241,134 +240,19 @@ The motions are integrated once more in fifty digits, with the accelerations of 
 many times whether the ball may do what it is said to do.
 */
 
-using Place4 = exact::State;  // s, σ, Φ, w
-
-struct Judge
+oracle::Judge judge_of(const Measured& m)
 {
-  Ball<Fifty> ball;
-  Fifty g, mu;
-
-  Fifty lambda(Mode mode) const { return mode == Mode::scraping_forwards ? mu : Fifty(-mu); }
-
-  Place4 rates(const Place4& at, Mode mode) const
-  {
-    const Fifty v_ = sin(at[2]), u = cos(at[2]);
-    const auto moved = mode == Mode::rolling ? rolling_accelerations(ball, g, at[2], at[3])
-                                             : accelerations(ball, g, at[2], at[3], lambda(mode));
-    const Fifty dds = moved.x + ball.c * (moved.Phi * u - at[3] * at[3] * v_);
-    const Fifty grows = mode == Mode::rolling ? Fifty(0) : Fifty(dds - ball.a * moved.Phi);
-    return {at[1] + ball.a * at[3], grows, at[3], moved.Phi};
-  }
-
-  // What must stay positive: what scraping is left; μΠ less the friction on either side; what holds it down.
-  std::array<Fifty, 3> margins(const Place4& at, Mode mode) const
-  {
-    const Fifty bears = 1 + ball.c * at[3] * at[3] * cos(at[2]) / (2 * g);
-    if(mode != Mode::rolling)
-      return {mode == Mode::scraping_forwards ? at[1] : Fifty(-at[1]), bears, bears};
-    const auto moved = rolling_accelerations(ball, g, at[2], at[3]);
-    const Fifty friction = -moved.x / (2 * g);
-    return {mu * moved.pressure - friction, mu * moved.pressure + friction, bears};
-  }
-
-  Mode at_rest_on_the_plane(const Place4& at) const  // of the point S
-  {
-    const std::array<Fifty, 3> margin = margins(at, Mode::rolling);
-    return margin[0] < 0   ? Mode::scraping_forwards
-           : margin[1] < 0 ? Mode::scraping_backwards
-                           : Mode::rolling;
-  }
-
-  Place4 after(const Place4& from, Mode mode, const Fifty& time) const
-  {
-    return time == 0 ? from : after(from, mode, std::vector<Fifty>{time}).front();
-  }
-
-  std::vector<Place4> after(const Place4& from, Mode mode, const std::vector<Fifty>& times) const
-  {
-    const auto motion = [&](const Fifty&, const Place4& at) { return rates(at, mode); };
-    std::vector<Place4> all;
-    for(const exact::Solution& one : exact::solve(motion, 0, from, times, Fifty("1e-20")))
-      all.push_back(one.y);
-    return all;
-  }
-
-  Fifty energy(const Place4& at) const
-  {
-    const Fifty u = cos(at[2]), x = at[1] + (ball.a - ball.c * u) * at[3], y = ball.c * at[3] * sin(at[2]);
-    return (x * x + y * y + pow(ball.k * at[3], 2)) / 2 + 2 * g * (ball.a - ball.c * u);
-  }
-};
-
-struct Stretch
-{
-  Fifty from;
-  Mode mode;
-  Place4 at;
-};
-
-// Follows the motion through the told times of its changes, and puts them right.
-std::vector<Stretch> judged(const Measured& m, const std::vector<double>& times)
-{
-  const Judge judge{m.ball, m.g, m.mu};
-  Place4 at{m.start.s, m.start.slip, m.start.Phi, m.start.w};
-  Mode mode = at[1] > 0   ? Mode::scraping_forwards
-              : at[1] < 0 ? Mode::scraping_backwards
-                          : judge.at_rest_on_the_plane(at);
-  std::vector<Stretch> all{{0, mode, at}};
-  for(std::size_t n = 1; n < times.size(); ++n)
-  {
-    const Stretch last = all.back();
-    const Fifty lasts = times[n] - last.from;
-    std::vector<Fifty> parts;
-    for(const double part : {0.02, 0.2, 0.4, 0.6, 0.8, 0.98, 1.})
-      parts.push_back(part * lasts);
-    std::vector<Place4> on_the_way = judge.after(last.at, mode, parts);
-    at = on_the_way.back();
-    on_the_way.pop_back();
-    for(const Place4& there : on_the_way)
-      for(const Fifty& margin : judge.margins(there, mode))
-        CHECK(margin == between(0, infinity, "it may do so"));
-    const std::array<Fifty, 3> margin = judge.margins(at, mode);
-    std::size_t which = 0;
-    for(std::size_t i = 1; i < 3; ++i)
-      if(abs(margin[i]) < abs(margin[which]))
-        which = i;
-    Fifty t = times[n];
-    for(int i = 0; i < 2; ++i)  // Newton, from thirteen digits
-    {
-      const Fifty h = 1e-20, here = judge.margins(at, mode)[which];
-      Place4 next = at;
-      const Place4 rates = judge.rates(at, mode);
-      for(std::size_t j = 0; j < 4; ++j)
-        next[j] += h * rates[j];
-      const Fifty correction = -here * h / (judge.margins(next, mode)[which] - here);
-      CHECK(correction == within(0, 1e-9, "the change is where it is told"));
-      at = judge.after(at, mode, correction);
-      t += correction;
-    }
-    if(mode == Mode::rolling)
-      mode = which == 0 ? Mode::scraping_forwards : which == 1 ? Mode::scraping_backwards : Mode::off;
-    else if(which == 0)
-    {
-      at[1] = 0;
-      mode = judge.at_rest_on_the_plane(at);
-    }
-    else
-      mode = Mode::off;
-    all.push_back({t, mode, at});
-  }
-  return all;
+  return {m.ball, m.g, m.mu};
 }
 
-std::vector<Stretch> compare(const Measured& m, const std::vector<ToldRow>& rows, const Fifty& T,
-                             const Fifty& L)
+std::vector<oracle::Stretch> compare(const Measured& m, const std::vector<ToldRow>& rows, const Fifty& T,
+                                     const Fifty& L)
 {
-  std::vector<double> times;
-  for(const auto& row : rows)
-    times.push_back(double(Fifty(row.at("t", seconds)) / T));
-  std::vector<Stretch> all = judged(m, times);
-  const Judge judge{m.ball, m.g, m.mu};
+  std::vector<double> changes;
+  for(std::size_t n = 1; n < rows.size(); ++n)
+    changes.push_back(double(Fifty(rows[n].at("t", seconds)) / T));
+  const oracle::Judge judge = judge_of(m);
+  std::vector<oracle::Stretch> all = judge.stretches(m.start, changes);
   const auto near = [](const Fifty& expected, const Fifty& unit) {
     return within(expected, 1e-12 * double(unit + abs(expected)),
                   "rounding of some steps, and what the motion makes of it");
@@ -376,13 +260,14 @@ std::vector<Stretch> compare(const Measured& m, const std::vector<ToldRow>& rows
   Fifty before = infinity;
   for(std::size_t n = 0; n < rows.size(); ++n)
   {
-    const Place4& at = all[n].at;
+    const State<Fifty>& at = all[n].start;
+    CHECK(all[n].margin == between(0, infinity, "it may do so"));
     CHECK(rows[n].value("t", seconds) == near(all[n].from * T, T));
     CHECK(rows[n].value("does") == in_words.at(static_cast<std::size_t>(all[n].mode)));
-    CHECK(rows[n].value("Phi", degrees) == near(at[2], 1));
-    CHECK(rows[n].value("w", Unit{"1/s"}) == near(at[3] / T, 1 / T));
-    CHECK(rows[n].value("sigma", Unit{"ft/s"}) == near(at[1] * L / T, 0));
-    CHECK(rows[n].value("s", feet) == near(at[0] * L, L));
+    CHECK(rows[n].value("Phi", degrees) == near(at.Phi, 1));
+    CHECK(rows[n].value("w", Unit{"1/s"}) == near(at.w / T, 1 / T));
+    CHECK(rows[n].value("sigma", Unit{"ft/s"}) == near(at.slip * L / T, 0));
+    CHECK(rows[n].value("s", feet) == near(at.s * L, L));
     const Fifty energy = judge.energy(at) * L / T * L / T;
     CHECK(rows[n].value("energy", Unit{"ft²/s²"}) == near(energy, 0));
     // Scraping takes energy, rolling none.
@@ -407,24 +292,23 @@ CHECK_THAT(
     const Fifty T = unit_of_time(), L = a.fifty();
     const auto rows = now.rows("events");
     CHECK(now.value("changes") == static_cast<int>(rows.size()) - 1);
-    const Stretch last = compare(m, rows, T, L).back();
-    const Judge judge{m.ball, m.g, m.mu};
+    const oracle::Judge judge = judge_of(m);
+    const oracle::Stretch last = compare(m, rows, T, L).back();
     const bool off = last.mode == Mode::off;
-    const Place4 at = off ? last.at : judge.after(last.at, last.mode, m.end - last.from);
+    const State<Fifty> at = off ? last.start : judge.after(last.start, last.mode, m.end - last.from);
     if(!off)
       for(const Fifty& margin : judge.margins(at, last.mode))
         CHECK(margin == between(0, infinity, "it may do so"));
     const char* const because = "rounding of some steps";
     CHECK(now.value("t_end", seconds) == within_relative((off ? last.from : m.end) * T, 1e-12, because));
-    CHECK(now.value("s_end", feet) == within(at[0] * L, 1e-12 * double(L + abs(at[0]) * L), because));
-    CHECK(now.value("Phi_end", degrees) == within(at[2], 1e-12 * double(1 + abs(at[2])), because));
+    CHECK(now.value("s_end", feet) == within(at.s * L, 1e-12 * double(L + abs(at.s) * L), because));
+    CHECK(now.value("Phi_end", degrees) == within(at.Phi, 1e-12 * double(1 + abs(at.Phi)), because));
     CHECK(now.value("v_end", Unit{"ft/s"})
-          == within((at[1] + at[3]) * L / T, 1e-12 * double((1 + abs(at[1] + at[3])) * L / T), because));
+          == within((at.slip + at.w) * L / T, 1e-12 * double((1 + abs(at.slip + at.w)) * L / T), because));
     CHECK(now.value("w_end", Unit{"1/s"})
-          == within(at[3] / T, 1e-12 * double((1 + abs(at[3])) / T), because));
-    const Place4 start{m.start.s, m.start.slip, m.start.Phi, m.start.w};
+          == within(at.w / T, 1e-12 * double((1 + abs(at.w)) / T), because));
     CHECK(now.value("lost", percent)
-          == within(1 - judge.energy(at) / judge.energy(start), 1e-12, "a difference of energies"));
+          == within(1 - judge.energy(at) / judge.energy(m.start), 1e-12, "a difference of energies"));
   }
 }
 
@@ -453,38 +337,31 @@ CHECK_THAT("the curves are those of Newton's equations")
   for(const Told& now : told_at("", "v=3 end=2", "c=0.5 k=0.5 Phi=100 v=0 end=0.5"))
   {
     const Measured m = measured();
-    const Judge judge{m.ball, m.g, m.mu};
+    const oracle::Judge judge = judge_of(m);
     const Fifty T = unit_of_time(), L = a.fifty();
-    const std::vector<Stretch> all = compare(m, now.rows("events"), T, L);
+    const std::vector<oracle::Stretch> all = compare(m, now.rows("events"), T, L);
     for(const auto& point : now.points("motion", 6))
     {
       const Fifty t = point.at("t") / T;
-      Stretch last = all.front();
-      for(const Stretch& one : all)
-        if(one.from <= t)
-          last = one;
-      const Place4 at = judge.after(last.at, last.mode, t - last.from);
-      CHECK(point.value("v") == within((at[1] + at[3]) * L / T, 1e-11, "rounding of some steps"));
-      CHECK(point.value("aw") == within(at[3] * L / T, 1e-11, "rounding of some steps"));
-      CHECK(point.value("rolls") == within(last.mode == Mode::rolling ? 1 : 0, 0, "yes or no"));
+      const State<Fifty> at = judge.at(all, t);
+      CHECK(point.value("v") == within((at.slip + at.w) * L / T, 1e-11, "rounding of some steps"));
+      CHECK(point.value("aw") == within(at.w * L / T, 1e-11, "rounding of some steps"));
+      CHECK(point.value("rolls")
+            == within(oracle::stretch_at(all, t).mode == Mode::rolling ? 1 : 0, 0, "yes or no"));
       CHECK(point.value("t") == between(0, end.fifty() * (1 + 1e-15), "till the end"));
     }
   }
   for(const Told& now : told_at(""))
   {
     const Measured m = let_go();
-    const Judge judge{m.ball, m.g, m.mu};
-    const std::vector<Stretch> all = compare(m, now.rows("swings"), 1, 1);
+    const std::vector<oracle::Stretch> all = compare(m, now.rows("swings"), 1, 1);
     for(const auto& point : now.points("cradle", 7))
     {
-      Stretch last = all.front();
-      for(const Stretch& one : all)
-        if(one.from <= point.at("t"))
-          last = one;
-      const Place4 at = judge.after(last.at, last.mode, point.at("t") - last.from);
+      const Fifty t = point.at("t");
       CHECK(point.value("Phi_deg")
-            == within(at[2] * 180 / exact::pi(), 1e-9, "degrees, after some swings"));
-      CHECK(point.value("mode") == within(static_cast<int>(last.mode), 0, "which of the three"));
+            == within(judge_of(m).at(all, t).Phi * 180 / exact::pi(), 1e-9, "degrees, after some swings"));
+      CHECK(point.value("mode")
+            == within(static_cast<int>(oracle::stretch_at(all, t).mode), 0, "which of the three"));
       CHECK(point.value("t") == between(0, 13.5, "till the end"));
     }
   }
@@ -499,20 +376,20 @@ CHECK_THAT("while the ball scrapes (A) stays the same, and (C) gives the velocit
 {
   const Ball<Fifty> b = our_ball<Fifty>;
   const Fifty g_ = our_g<Fifty>, l = Fifty(1) / 3, tol("1e-22");
-  const Judge judge{b, g_, l};
   const Path<double> path(our_ball<double>, our_g<double>, 1. / 3, {0, 10, 0, 0}, 1);
-  const Fifty t = path.events().at(1).t;
-  const Place4 at = judge.after({0, 10, 0, 0}, Mode::scraping_forwards, t);
-  const Fifty x = at[1] + (b.a - b.c * cos(at[2])) * at[3], y = b.c * at[3] * sin(at[2]);
-  CHECK(x + l * (y + 2 * g_ * t) == within(10, 1e-18, "(A), steps of 1e-20"));
+  const oracle::Stretch rolls =
+      oracle::Judge(b, g_, l).stretches({0, 10, 0, 0}, {path.events().at(1).t})[1];
+  const State<Fifty>& at = rolls.start;
+  const Fifty x = (b.a - b.c * cos(at.Phi)) * at.w, y = b.c * at.w * sin(at.Phi);
+  CHECK(x + l * (y + 2 * g_ * rolls.from) == within(10, 1e-18, "(A), steps of 1e-20"));
   const auto q = [&](const Fifty& p) { return l * (b.a - b.c * cos(p)) - b.c * sin(p); };
   const auto M = [&](const Fifty& p) { return b.k * b.k - b.c * q(p) * sin(p); };
   const auto e = [&](const Fifty& p) {
     const auto integrand = [&](const Fifty& r) { return (b.a * cos(r) - b.c) / M(r); };
     return exp(-l * b.c * (p == 0 ? Fifty(0) : exact::integrate(integrand, 0, p, tol).value));
   };
-  const Fifty sum = exact::integrate([&](const Fifty& p) { return q(p) * e(p); }, 0, at[2], tol).value;
-  CHECK(M(at[2]) * at[3] * at[3] * e(at[2]) == within_relative(4 * g_ * sum, 1e-17, "(C), steps of 1e-20"));
+  const Fifty sum = exact::integrate([&](const Fifty& p) { return q(p) * e(p); }, 0, at.Phi, tol).value;
+  CHECK(M(at.Phi) * at.w * at.w * e(at.Phi) == within_relative(4 * g_ * sum, 1e-17, "(C), steps of 1e-20"));
 }
 
 /*!
