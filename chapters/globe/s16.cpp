@@ -257,9 +257,15 @@ CHECK_THAT("in the race each way gives what the expansion gives in fractions")
   }
 }
 
-CHECK_THAT("the errors drawn are the quotient of the two roots, less one")
+CHECK_THAT("the errors drawn are the quotient of the two roots, less one, and worst at 90°")
 {
   for(const Told& now : told_at("", "c=0.5"))
+  {
+    double greatest = 0, worst = 0;
+    for(const auto& point : now.points("too_great"))
+      if(point.at("this_ball") > greatest)
+        greatest = point.at("this_ball"), worst = point.at("Phi");
+    CHECK(worst == within(90, 0, "one of the angles drawn"));
     for(const auto& point : now.points("too_great", 7))
     {
       const Fifty ss = pow(sin(point.at("Phi") * exact::pi() / 180), 2), r = c.fifty() / k.fifty();
@@ -270,6 +276,7 @@ CHECK_THAT("the errors drawn are the quotient of the two roots, less one")
       CHECK(point.value("half") == within_relative(more(ss / 4), 3e-14, "an ulp of the angle"));
       CHECK(point.value("equal") == within_relative(more(ss), 3e-14, "an ulp of the angle"));
     }
+  }
 }
 
 /*!
