@@ -1,6 +1,7 @@
 #include "globe/path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -148,6 +149,20 @@ double radius(const Expansion<Real>& e)
   return shortest;
 }
 
+// Whether the series is positive all the way to `length` by what its negative terms can take from the first at most.
+template <class Real>
+bool stays_positive(const Series<Real>& p, const Real& length)
+{
+  Real least = p[0], power = 1;
+  for(const Real& term : p)
+  {
+    if(term < 0)
+      least += term * power;
+    power *= length;
+  }
+  return least > 1e-9 * p[0];  // far beyond what is rounded
+}
+
 // The first time in (0, length] at which the series becomes negative, or −1. A stretch that begins where what
 // may end it is zero begins with positive values; those zeros are divided out.
 template <class Real>
@@ -174,22 +189,34 @@ Real first_negative(Series<Real> p, const Real& length, bool begins_at_zero)
     }
     p.erase(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(zeros));
   }
-  constexpr int parts = 32;
+  if(stays_positive(p, length))
+    return -1;
+  constexpr std::size_t parts = 32;
   const Series<Real> slope = derivative_of(p);
-  const auto time_of = [&](int n) { return Real(length * n / parts); };
+  // Both at all ends of the parts together, each as value_of() has it.
+  std::array<Real, parts + 1> at, of_p{}, of_slope{};
+  for(std::size_t n = 0; n <= parts; ++n)
+    at[n] = length * static_cast<double>(n) / static_cast<double>(parts);
+  const auto all_values = [&at](const Series<Real>& terms_of, std::array<Real, parts + 1>& values) {
+    for(std::size_t term = terms_of.size(); term-- > 0;)
+      for(std::size_t n = 0; n <= parts; ++n)
+        values[n] = values[n] * at[n] + terms_of[term];
+  };
+  all_values(p, of_p);
+  all_values(slope, of_slope);
   const auto falls_below = [&](Real a, Real b) {  // p(a) ≥ 0 > p(b)
     Real middle = (a + b) / 2;
     for(int n = 0; n < most_halvings && a < middle && middle < b; ++n, middle = (a + b) / 2)
       (value_of(p, middle) < 0 ? b : a) = middle;
     return b;
   };
-  for(int n = 0; n < parts; ++n)
+  for(std::size_t n = 0; n < parts; ++n)
   {
-    const Real a = time_of(n), b = time_of(n + 1);
-    if(value_of(p, b) < 0)
+    const Real a = at[n], b = at[n + 1];
+    if(of_p[n + 1] < 0)
       return falls_below(a, b);
     // It may dip below zero and come back.
-    if(value_of(slope, a) < 0 && value_of(slope, b) > 0)
+    if(of_slope[n] < 0 && of_slope[n + 1] > 0)
     {
       Real low = a, high = b;
       Real middle = (low + high) / 2;
