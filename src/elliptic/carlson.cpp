@@ -183,19 +183,57 @@ double arc_over_tangent(double u)
   return 1 + u * (low + u4 * (middle + u4 * high));
 }
 
+// Σ 2ⁿ arctan √δ g over √δ, or with the hyperbolic one where δ < 0, of `steps` falling g with their 1 + δgg.
+template <class Real>
+Real arcs(const Real& delta, const Real* arm, const Real* norm, int steps)
+{
+  using std::abs, std::asinh, std::atan, std::atan2, std::atanh, std::sqrt;
+  Real sum = 0, twice = 1;
+  if constexpr(is_double<Real>)
+    if(steps == 0 || abs(delta) * arm[0] * arm[0] <= 0.0625)
+    {
+      for(int n = 0; n < steps; ++n, twice *= 2)
+        sum += twice * arm[n] * arc_over_tangent(delta * arm[n] * arm[n]);
+      return sum;
+    }
+  // From the last on all together, as the angle of Π (1 + i√δ g)^(2ⁿ) = a + i√δ b, until that might exceed half a
+  // turn, or come near the infinite; the others each by itself.
+  const Real root = sqrt(Real(abs(delta)));
+  const Real limit = delta > 0 ? 3 : 0.5;
+  Real a = 1, b = 0, reach = 0;
+  int left = steps;
+  for(; left > 0; --left)
+  {
+    const Real g = arm[left - 1];
+    reach = g + 2 * reach;
+    if(root * reach > limit)
+      break;
+    const Real aa = a * a - delta * b * b, ab = 2 * a * b;
+    a = aa - delta * ab * g;
+    b = ab + aa * g;
+  }
+  for(int n = 0; n < left; ++n, twice *= 2)
+  {
+    const Real t = root * arm[n];
+    sum += twice * (delta > 0 ? Real(atan(t)) : Real(asinh(t / sqrt(norm[n])))) / root;
+  }
+  if(delta == 0)
+    return sum + b;
+  return sum + twice * (delta > 0 ? Real(atan2(Real(root * b), a)) : Real(atanh(root * b / a))) / root;
+}
+
 // R_F too, where it is wanted.
 template <bool with_F, class Real>
 First_and_third<Real> moderate_J(Real x, Real y, Real z, Real p)
 {
-  using std::abs, std::asinh, std::atan, std::atan2, std::atanh, std::max, std::sqrt;
+  using std::abs, std::max, std::sqrt;
   const Real mean_F = (x + y + z) / 3;
   const Real dxF = mean_F - x, dyF = mean_F - y;
   Real mean = (x + y + z + 2 * p) / 5;
   const Real dx = mean - x, dy = mean - y, dz = mean - z;
   const Real delta = (p - x) * (p - y) * (p - z);
   const Real spread = max(largest(dx, dy, dz), Real(abs(mean - p)));
-  Real quarter = 1, eighth = 1;  // 4⁻ⁿ and 8⁻ⁿ
-  Real sum = 0;
+  Real quarter = 1, eighth = 1;                        // 4⁻ⁿ and 8⁻ⁿ
   Real arm[most_steps<Real>], norm[most_steps<Real>];  // of the complex numbers 1 + i√δ g: g, and 1 + δgg
   int steps = 0;
   while(spread * quarter > near_enough_J<Real> * mean)
@@ -216,42 +254,6 @@ First_and_third<Real> moderate_J(Real x, Real y, Real z, Real p)
     quarter /= 4;
     eighth /= 8;
   }
-  // Σ 2ⁿ arctan √δ g, or with the hyperbolic one where δ < 0. From the last on all together, as the angle of
-  // Π (1 + i√δ g)^(2ⁿ) = a + i√δ b, until that might exceed half a turn, or come near the infinite; the others
-  // each by itself.
-  const Real root = sqrt(Real(abs(delta)));
-  const Real limit = delta > 0 ? 3 : 0.5;
-  Real a = 1, b = 0, reach = 0;
-  int left = steps;
-  for(; left > 0; --left)
-  {
-    const Real g = arm[left - 1];
-    reach = g + 2 * reach;
-    if(root * reach > limit)
-      break;
-    const Real aa = a * a - delta * b * b, ab = 2 * a * b;
-    a = aa - delta * ab * g;
-    b = ab + aa * g;
-  }
-  Real twice = 1;
-  for(int n = 0; n < left; ++n, twice *= 2)
-  {
-    const Real t = root * arm[n];
-    sum += twice * (delta > 0 ? Real(atan(t)) : Real(asinh(t / sqrt(norm[n])))) / root;
-  }
-  bool small = false;
-  if constexpr(is_double<Real>)
-  {
-    const double t = b / a, u = delta * t * t;
-    small = a > 0 && abs(u) <= 0.0625;
-    if(small)
-      sum += twice * t * arc_over_tangent(u);
-  }
-  if(!small && delta == 0)
-    sum += b;
-  else if(!small)
-    sum += twice * (delta > 0 ? Real(atan2(Real(root * b), a)) : Real(atanh(root * b / a))) / root;
-
   const Real scale = quarter / mean;
   const Real X = dx * scale, Y = dy * scale, Z = dz * scale, P = -(X + Y + Z) / 2;
   const Real XYZ = X * Y * Z, PP = P * P;
@@ -259,7 +261,8 @@ First_and_third<Real> moderate_J(Real x, Real y, Real z, Real p)
   const Real E3 = XYZ + 2 * P * (E2 + 2 * PP);
   const Real E4 = (2 * XYZ + P * (E2 + 3 * PP)) * P;
   const Real series = series_J(E2, E3, E4, Real(XYZ * PP));
-  First_and_third<Real> result{Real(0), Real(6 * sum + quarter * series / (mean * sqrt(mean)))};
+  First_and_third<Real> result{
+      Real(0), Real(6 * arcs(delta, arm, norm, steps) + quarter * series / (mean * sqrt(mean)))};
   if constexpr(with_F)
   {
     const Real mean_now = (x + y + z) / 3;

@@ -16,11 +16,11 @@ template <class Function>
 double mean_over_quarter(double kc2, const Function& f)
 {
   constexpr std::size_t most = 2048;
-  std::array<double, most> s2, cn, dn;
+  std::array<double, most> s2, c2, d2;  // squares: roots are taken where they are wanted
   const double kc = std::sqrt(kc2);
   s2[0] = 1 / (1 + kc);
-  cn[0] = std::sqrt(kc / (1 + kc));
-  dn[0] = std::sqrt(kc);
+  c2[0] = kc / (1 + kc);
+  d2[0] = kc;
   double mean = (f(0.0, 1.0, 1.0) + f(1.0, 0.0, kc2)) / 2;
   double finer = (mean + f(s2[0], kc / (1 + kc), kc)) / 2;
   double before = 0;
@@ -36,17 +36,17 @@ double mean_over_quarter(double kc2, const Function& f)
     for(std::size_t i = 0; i < n; ++i)
     {
       // of u/2, and of (2K − u)/2 in the upper half of the arrays
-      const double c = cn[i], d = dn[i], s = s2[i];
+      const double c = std::sqrt(c2[i]), d = std::sqrt(d2[i]), s = s2[i];
       const double both = c + d, c1 = 1 + c, d1 = 1 + d;
       const double upper_s2 = c1 / d1, upper_c2 = kc2 * s / (both * d1), upper_d2 = kc2 * c1 / both;
       const double lower_s2 = s / (c1 * d1), lower_c2 = both / d1, lower_d2 = both / c1;
       sum += f(lower_s2, lower_c2, lower_d2) + f(upper_s2, upper_c2, upper_d2);
       s2[i] = lower_s2;
-      cn[i] = std::sqrt(lower_c2);
-      dn[i] = std::sqrt(lower_d2);
+      c2[i] = lower_c2;
+      d2[i] = lower_d2;
       s2[n + i] = upper_s2;
-      cn[n + i] = std::sqrt(upper_c2);
-      dn[n + i] = std::sqrt(upper_d2);
+      c2[n + i] = upper_c2;
+      d2[n + i] = upper_d2;
     }
     finer = (mean + sum / static_cast<double>(2 * n)) / 2;
   }
