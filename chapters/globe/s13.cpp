@@ -130,6 +130,12 @@ bool arrives(const Energy<Fifty>& e, const Place<Fifty>& there)
   return there.s * there.s <= e.h;
 }
 
+Fifty beyond()  // by how much h is greater than §20 allows
+{
+  const Fifty r = k.fifty() / c.fifty();
+  return -asked.smooth(c, k, g).from_top - r * r / 4;
+}
+
 TELL
 {
   require(c <= 100 * k && k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
@@ -154,6 +160,14 @@ TELL
   tell("turn_0", 2 * second_energy.half_turn / second, seconds, "a whole turn with it");
   const double root = k / (c * (1 + std::hypot(1., k / c)));
   tell("top_0", root * root, "what the plane bears at the top with it, as a part of the weight");
+  tell("h_most", smooth::lift_off_energy<double>(c, k),
+       "the greatest h with which the ball stays on its plane");
+  if(beyond() > 0)
+  {
+    const auto off = smooth::lift_off<double>(c, k, double(beyond()));
+    tell("Phi_off", off.Phi, degrees, "where it leaves it; what is told beyond is of a ball held down");
+    tell("t_off", off.tau / second, seconds, "when");
+  }
 }
 
 TELL
@@ -204,8 +218,9 @@ TELL
 
 /*!
 Our ball, with half the energy that the top asks for, takes {{swing|8}} s for a single swing, and has turned
-through {{Phi_t|6}} after three tenths of a second. The energy {{eq B}} is {{h_0|6}} here, and a whole turn
-takes {{turn_0|6}} s.
+through {{Phi_t|6}} after {{t|3}} s. The energy {{eq B}} is {{h_0|6}} here, and a whole turn takes
+{{turn_0|6}} s. By {{sec globe.20}} the ball leaves its plane before the top if $h$ is more than
+{{h_most|4}}; the program tells where, and what it says of later times is of a ball that is held down.
 
 {{table errors}}
 
@@ -325,6 +340,37 @@ CHECK_THAT("the second energy and its turn are those of the integral, whatever t
     CHECK(now.value("top_0") == within_relative(bears, 1e-15, "five roundings, some of them doubled"));
     CHECK(bears == within((root - 1) / (root + 1), 1e-38, "a difference from 1"));
     CHECK(bears > 0);
+  }
+}
+
+CHECK_THAT(
+    "with more than the greatest h told the ball is without pressure where and when it is told to leave")
+{
+  for(const Told& now :
+      told_at("", "h=10.001", "from_top=-30 c=0.3 Phi=100", "h=1e9 k=1e-3 g=1e40 t=1e-24"))
+  {
+    const Energy<Fifty> e = asked.smooth(c, k, g);
+    const Fifty c_ = c.fifty(), k_ = k.fifty(), second = sqrt(2 * c_);  // g = 1
+    const Ball<Fifty> ball{c_ + k_, c_, k_};
+    const auto bears = [&](const Fifty& h, const Place<Fifty>& there) {
+      const Fifty w = second * sqrt(smooth::velocity_squared<Fifty>(c_, k_, energy(h), there));
+      return accelerations<Fifty>(ball, 1, 2 * atan2(there.s, there.c), w, 0).pressure;
+    };
+    const Fifty most = 1 + pow(k_ / c_, 2) / 4;
+    CHECK(now.value("h_most") == within_relative(most, 1e-15, "four roundings"));
+    CHECK(bears(most, {1, 0}) == within(0, 1e-45, "fifty digits"));
+    if(e.h <= most)
+      continue;
+    Fifty low = exact::pi() / 2, high = exact::pi();
+    for(int i = 0; i < 150; ++i)
+    {
+      const Fifty middle = (low + high) / 2;
+      (bears(e.h, place(middle)) > 0 ? low : high) = middle;
+    }
+    const Fifty t_off = oracle::smooth_time(c_, k_, e, place(low)) / second / sqrt(g.fifty());
+    CHECK(now.value("Phi_off", degrees) == within_relative(low, 4e-15, "eight ulps, and the excess"));
+    CHECK(now.value("t_off", seconds)
+          == within_relative(t_off, 1e-14, "eight ulps, a root, and the excess"));
   }
 }
 
