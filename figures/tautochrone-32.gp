@@ -8,10 +8,12 @@ set ylabel "{/:Italic x} / {/:Italic a}" offset 0, 0
 file = tsv("tautochrone-32.curves")
 of(n) = column("kind") == n ? column("x") : NaN
 # the upper parts: a window about the ends of Euler's curve and of the exact one
-stats file index 2 every ::60::60 using "y":"x" name "E" nooutput
-stats file index 3 every ::59::59 using "y":"x" name "T" nooutput
-set xrange [0.8 * E_min_x : 1.14 * (E_min_x > T_min_x ? E_min_x : T_min_x)]
-set yrange [0.6 * E_min_y : 1.1 * (E_min_y > T_min_y ? E_min_y : T_min_y)]
+stats file index 2 every ::60::60 using "y" name "Ey" nooutput
+stats file index 2 every ::60::60 using "x" name "Ex" nooutput
+stats file index 3 every ::59::59 using "y" name "Ty" nooutput
+stats file index 3 every ::59::59 using "x" name "Tx" nooutput
+set xrange [0.8 * Ey_min : 1.14 * (Ey_min > Ty_min ? Ey_min : Ty_min)]
+set yrange [0.6 * Ex_min : 1.1 * (Ex_min > Tx_min ? Ex_min : Tx_min)]
 plot file using "y":(of(0)) with lines linetype 6, \
      file using "y":(of(1)) with lines linetype 3, \
      file using "y":(of(3)) with lines linetype 1, \
