@@ -91,6 +91,12 @@ Fifty mean_anomaly()  // M at the time t, by (3)
   return 2 * n_ * t.fifty() * sqrt(g.fifty() * c_) / (k_ + c_ * c_ / (4 * k_) + k_ / (2 * n_ * n_));
 }
 
+Fifty beyond()  // by how much h = ½nn is greater than §20 allows
+{
+  const Fifty r = k.fifty() / c.fifty();
+  return n.fifty() * n.fifty() / 2 - 1 - r * r / 4;
+}
+
 TELL
 {
   require(c <= 1.5 * k && k <= 1e40 * c, "c", "between 1e-40 and 3/2 of k: it is to be small");
@@ -117,6 +123,14 @@ TELL
        "the angle then, by (3)");
   const Fifty tau = t.fifty() * sqrt(2 * g.fifty() * c.fifty());
   tell("Phi_t", smooth::angle(c, k, e, double(tau)).Phi, degrees, "the same, exactly");
+  tell("n_most", std::sqrt(2 + k / c * (k / c) / 2),
+       "the greatest n with which the ball stays on the plane, §20");
+  if(beyond() > 0)
+  {
+    const auto off = smooth::lift_off<double>(c, k, double(beyond()));
+    tell("Phi_off", off.Phi, degrees, "where it leaves it; what is told beyond is of a ball held down");
+    tell("t_off", off.tau / second, seconds, "when");
+  }
 }
 
 const std::array<double, 2> speeds{0, 1.6};  // of the figure; 0 is this ball's n
@@ -144,7 +158,9 @@ TELL
 /*!
 With $n = 4$ our ball turns round in {{T|7}} s; {{eq 4}} has {{T_euler|7}}, and {{eq C}} {{T_next|7}}. At the
 time {{t|3}} s, when it would stand at {{M|6}} if it turned evenly, it stands at {{Phi_t|6}}, by {{eq 3}} at
-{{Phi_euler|6}}. Both inequalities are small angles, {{e_1|3}} and {{e_2|3}}.
+{{Phi_euler|6}}. Both inequalities are small angles, {{e_1|3}} and {{e_2|3}}. All this is true up to
+$n = {{n_most|4}}$, with which the ball would leave its plane at the top; for a greater one the program tells
+where it does, and the rest is of a ball that is held down.
 
 ::: figure globe-22
 alt: By how many degrees the ball is ahead of even turning, over one whole turn. Two waves, each through zero
@@ -298,6 +314,32 @@ CHECK_THAT(
   for(const Told& now : told_at("n=1e8 c=1e-12 t=1e-4", "t=0"))
     CHECK(now.value("Phi_t", degrees)
           == within_relative(halved(), 1e-14, "(3) is right to 1e-32 there, and at the start"));
+}
+
+CHECK_THAT(
+    "with more than the greatest n told the ball is without pressure where and when it is told to leave")
+{
+  for(const Told& now : told_at("", "n=4.5", "n=1e8 c=1e-3 g=7 t=1e-9", "n=3 c=0.6"))
+  {
+    const Fifty c_ = c.fifty(), k_ = k.fifty(), second = sqrt(2 * c_);  // g = 1
+    const Energy<Fifty> e = energy(Fifty(n.fifty() * n.fifty() / 2));
+    const auto bears = [&](const Fifty& at, const Energy<Fifty>& with) {
+      const Fifty w = second * sqrt(smooth::velocity_squared<Fifty>(c_, k_, with, place(at)));
+      return accelerations<Fifty>(Ball<Fifty>{c_ + k_, c_, k_}, 1, at, w, 0).pressure;
+    };
+    const Fifty most = sqrt(2 + pow(k_ / c_, 2) / 2);
+    CHECK(now.value("n_most") == within_relative(most, 1e-15, "five roundings"));
+    CHECK(bears(exact::pi(), energy(Fifty(most * most / 2))) == within(0, 1e-44, "fifty digits"));
+    if(n.fifty() <= most)
+      continue;
+    Fifty low = exact::pi() / 2, high = exact::pi();
+    for(int i = 0; i < 150; ++i)
+      (bears((low + high) / 2, e) > 0 ? low : high) = (low + high) / 2;
+    CHECK(now.value("Phi_off", degrees) == within_relative(low, 4e-15, "eight ulps, and the excess"));
+    CHECK(now.value("t_off", seconds)
+          == within_relative(oracle::smooth_time(c_, k_, e, place(low)) / second / sqrt(g.fifty()), 1e-14,
+                             "eight ulps, a root, and the excess"));
+  }
 }
 
 CHECK_THAT("(B) is the inverse of (A) but for the third order, and (C) the turn but for it")
