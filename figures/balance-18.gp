@@ -1,10 +1,17 @@
 load "figures/style.gp"
 set xrange [0:2]
-set yrange [-10:10]
 set xlabel "half turns of the beam, λ{/:Italic t}/π"
-set ylabel "beside the regular swing, minutes"
+set lmargin 9
+set ylabel "beside the regular swing, minutes" offset 0, 0
 set xzeroaxis linetype 6
 file = tsv("balance-18.strays")
-set label "{/:Italic P}" at 0.08, 5.4 center textcolor linetype 1
-set label "{/:Italic Q}" at 0.25, 9.4 center textcolor linetype 3
+stats file using "turn":"P" name "P" nooutput
+stats file using "turn":"Q" name "Q" nooutput
+most = P_max_y > Q_max_y ? P_max_y : Q_max_y
+least = P_min_y < Q_min_y ? P_min_y : Q_min_y
+reach = most > -least ? most : -least
+if (reach == 0) reach = 1
+set yrange [-1.15 * reach:1.15 * reach]
+set label "{/:Italic P}" at P_pos_max_y, P_max_y + 0.08 * reach center textcolor linetype 1
+set label "{/:Italic Q}" at Q_pos_max_y, Q_max_y + 0.08 * reach center textcolor linetype 3
 plot file using "turn":"P" with lines linetype 1, "" using "turn":"Q" with lines linetype 3
