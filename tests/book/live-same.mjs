@@ -1,26 +1,31 @@
 // What the page's modules tell, draw and check is what the programs do, to the last bit: with Euler's numbers for every section,
-// and with three other settings of its parameters; in any order, and twice. Usage: node live-same.mjs BUILD (build/book, beside
-// which lie the programs in bin)
+// and with three other settings of its parameters; in any order, and twice; and so it is where the C library's fused variants are
+// switched off. Usage: node live-same.mjs BUILD [CHAPTER...] (build/book, beside which lie the programs in bin)
 import { spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import readline from 'node:readline';
+import { isDeepStrictEqual } from 'node:util';
 import vm from 'node:vm';
 import { Engine } from '../../book/live/engine.mjs';
-import { slider, typed } from '../../book/live/fields.mjs';
+import { settings } from './settings.mjs';
 
-const build = path.resolve(process.argv[2]);
+const [folder, ...chapters] = process.argv.slice(2);
+const build = path.resolve(folder);
 const read = (file) => fs.readFileSync(path.join(build, file), 'utf8');
-const programs = read('programs.txt').split('\n').filter(Boolean);
-const faults = [];
-const fault = (what) => faults.push(what);
+const programs = read('programs.txt')
+  .split('\n')
+  .filter((p) => p && (!chapters.length || chapters.includes(p.split('-')[0])));
+let faults = 0;
+function fault(what) {
+  faults += 1;
+  console.error(what);
+}
 
 // The modules, as a page has them: scripts that put themselves into self.LIVE. They are made for a worker.
 globalThis.self = { location: { href: 'blob:' } };
 globalThis.importScripts = () => {};
-for (const file of fs
-  .readdirSync(path.join(build, 'html/live'))
-  .filter((f) => !['live.js', 'katex.js'].includes(f)))
+for (const file of ['gnuplot', ...new Set(programs.map((p) => p.split('-')[0]))].map((name) => `${name}.js`))
   vm.runInThisContext(read(`html/live/${file}`), { filename: file });
 const engines = {};
 const engine = (program) => {
@@ -28,32 +33,38 @@ const engine = (program) => {
   return (engines[chapter] ??= new Engine(self.LIVE, chapter));
 };
 
-// All the sections in one native program.
-const native = spawn(path.join(build, '../bin/all-sections'), { stdio: ['pipe', 'pipe', 'inherit'] });
-const answers = readline.createInterface({ input: native.stdout })[Symbol.asyncIterator]();
-async function ask(...question) {
-  native.stdin.write(`${JSON.stringify(question)}\n`);
-  return JSON.parse((await answers.next()).value);
+// All the sections in one native program, as it is and without the processor's fused operations.
+function native(env) {
+  const child = spawn(path.join(build, '../bin/all-sections'), {
+    stdio: ['pipe', 'pipe', 'inherit'],
+    env: { ...process.env, ...env },
+  });
+  const answers = readline.createInterface({ input: child.stdout })[Symbol.asyncIterator]();
+  return {
+    async ask(...question) {
+      child.stdin.write(`${JSON.stringify(question)}\n`);
+      return JSON.parse((await answers.next()).value);
+    },
+    end: () => child.stdin.end(),
+  };
 }
-
-/** Three settings that a hand can reach by the sliders, each of another parameter where there are so many. */
-function settings(parameters) {
-  const places = [0.3, 0.62, 0.85];
-  const sliding = parameters.filter((p) => slider(p));
-  return sliding.length
-    ? places.map((part, i) => {
-        const p = sliding[i % sliding.length];
-        const { min, max, step, number } = slider(p);
-        return { [p.name]: typed(number(min + Math.round(((max - min) * part) / step) * step)) };
-      })
-    : [];
-}
+const usually = native({});
+const unfused = native({ GLIBC_TUNABLES: 'glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2' });
 
 const differing = (a, b) =>
-  Object.keys({ ...a, ...b }).filter((name) => JSON.stringify(a[name]) !== JSON.stringify(b[name]));
+  Object.keys({ ...a, ...b }).filter((name) => !isDeepStrictEqual(a[name], b[name]));
+
+// Where a claim that takes several lines stands, the two compilers say each in its own way.
+const placeless = (checked) => JSON.parse(JSON.stringify(checked, (key, x) => (key === 'line' ? undefined : x)));
 
 let compared = { told: 0, data: 0, figures: 0, claims: 0, settings: 0, refused: 0 };
-const figures = fs.readdirSync(path.join(build, 'drawn')).filter((f) => f.endsWith('.svg'));
+const figuresOf = (program) =>
+  fs
+    .readdirSync(path.join(build, 'drawn'))
+    .filter((f) => f.startsWith(program) && f.endsWith('.svg'))
+    .map((f) => f.slice(0, -4))
+    .filter((name) => self.LIVE[program.split('-')[0]].scripts[`figures/${name}.gp`]);
+const took = []; // to tell with other numbers and to draw
 
 // Euler's numbers: against what the book was woven from.
 for (const program of programs) {
@@ -71,26 +82,32 @@ for (const program of programs) {
     compared.data += 1;
     if (content !== read(`told/${name}`)) fault(`${program}: ${name} differs`);
   }
-  for (const file of figures.filter(
-    (f) => f.startsWith(program) && self.LIVE[program.split('-')[0]].scripts[`figures/${f.slice(0, -4)}.gp`],
-  )) {
+  for (const name of figuresOf(program)) {
     compared.figures += 1;
-    const drawn = await engine(program).draw(file.slice(0, -4));
-    if (drawn !== read(`drawn/${file}`)) fault(`${program}: ${file} is drawn otherwise`);
+    const drawn = await engine(program).draw(name);
+    if (drawn !== read(`drawn/${name}.svg`)) fault(`${program}: ${name}.svg is drawn otherwise`);
   }
   const { checked } = await engine(program).check(program, {});
   const check = JSON.parse(read(`told/${program}.check.json`));
   compared.claims += checked.cases.reduce((n, c) => n + c.claims.length, 0);
-  for (const name of differing(check, checked)) fault(`${program}: of its checks, ${name} differ`);
+  for (const name of differing(placeless(check), placeless(checked)))
+    fault(`${program}: of its checks, ${name} differ`);
 }
 
 // Other settings: against the native program with all sections in it, from the last section to the first.
 for (const program of [...programs].reverse()) {
-  const usual = await ask('tell', program, {});
-  if (JSON.stringify(usual.told) !== JSON.stringify(JSON.parse(read(`told/${program}.json`))))
+  const usual = await usually.ask('tell', program, {});
+  const plain = await unfused.ask('tell', program, {});
+  for (const name of differing(usual.told, plain.told)) fault(`${program}: unfused, ${name} differ`);
+  for (const name of differing(usual.data, plain.data)) fault(`${program}: unfused, ${name} differs`);
+  if (!isDeepStrictEqual(usual.told, JSON.parse(read(`told/${program}.json`))))
     fault(`${program}: in a program with others it tells something else`);
   for (const given of settings(usual.told.parameters)) {
-    const [here, there] = [await ask('tell', program, given), await engine(program).tell(program, given)];
+    const here = await usually.ask('tell', program, given);
+    const start = performance.now();
+    const there = await engine(program).tell(program, given);
+    if (there.told) await Promise.all(figuresOf(program).map((name) => engine(program).draw(name))).catch(() => {});
+    took.push({ ms: performance.now() - start, where: `${program} with ${JSON.stringify(given)}` });
     compared.settings += 1;
     if (here.refused) compared.refused += 1;
     const where = `${program} with ${JSON.stringify(given)}`;
@@ -110,10 +127,20 @@ for (const program of programs) {
     fault(`${program}: told again it tells something else`);
 }
 
-native.stdin.end();
-faults.forEach((what) => console.error(what));
+usually.end();
+unfused.end();
 console.log(
   `${compared.told} sections, ${compared.data} data, ${compared.figures} figures, ${compared.claims} claims; ` +
-    `${compared.settings} other settings (${compared.refused} refused); ${faults.length} differ`,
+    `${compared.settings} other settings (${compared.refused} refused); ${faults} differ`,
 );
-process.exitCode = faults.length || !compared.settings ? 1 : 0;
+took.sort((a, b) => a.ms - b.ms);
+if (took.length)
+  console.log(
+    `told and drawn anew in ${took[took.length >> 1].ms.toFixed(0)} ms (median); the slowest: ` +
+      took
+        .slice(-5)
+        .reverse()
+        .map(({ ms, where }) => `${ms.toFixed(0)} ms ${where}`)
+        .join(', '),
+  );
+process.exitCode = faults || !compared.settings ? 1 : 0;
