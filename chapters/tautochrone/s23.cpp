@@ -173,9 +173,9 @@ const Emendation subnormal{"§23, the subnormal",
 A maker gives the pendulum of a clock, a body with $k = \tfrac1{10}a$, the length $a$ of the simple pendulum
 that keeps the time wanted. How wrong does the clock go?
 
-answer: It swings as a simple pendulum of the length $1.01\,a$: too slowly by $\sqrt{1.01} - 1$, 431 seconds
-in a day. That is why $a$ must not be measured but timed ({{sec tautochrone.12}}); against it all that the
-cheeks do is little.
+answer: It swings as a simple pendulum of the length $a + kk/a$, a hundredth more: too slowly by
+$\sqrt{1 + kk/aa} - 1$, 431 seconds in a day. That is why $a$ must not be measured but timed
+({{sec tautochrone.12}}); against it all that the cheeks do is little.
 :::
 */
 
