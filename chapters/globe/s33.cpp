@@ -169,6 +169,9 @@ TELL
        "on a smooth plane, with the same n");
   tell("turn_mean", rule<double>(ball, std::sqrt(b * b + 2 * a * c), n, whole_turn<double>()) / fast,
        seconds, "by (3) with the root of aa + cc + kk for b");
+  tell("n_most", std::sqrt(2 * rolling::loss_of_pressure(ball).h),
+       "the greatest n with which the plane bears the rolling ball all the way");
+  tell("n_most_smooth", std::sqrt(2 * smooth::lift_off_energy<double>(c, k)), "the same on a smooth plane");
   tell("fast", rolling::time(ball, e, at) / second, seconds, "to Φ, exactly");
   tell("fast_rule", rule<double>(ball, b, n, turned) / fast, seconds, "by the rule, (3)");
   tell("fast_right", right<double>(ball, b, n, turned) / fast, seconds, "by (B)");
@@ -228,7 +231,9 @@ TELL
 /*!
 With $n = 4$ our ball takes {{turn|6}} seconds for a turn; the rule gives {{turn_rule|6}}, {{eq B}} gives
 {{turn_right|6}}. With just the velocity for the top it takes {{top|6}} seconds for the first right angle, by
-the rule {{top_rule|6}}, by {{eq D}} {{top_right|6}}.
+the rule {{top_rule|6}}, by {{eq D}} {{top_right|6}}. The plane bears it, without having to pull, up to
+$n = {{n_most|4}}$ ({{sec globe.27}}), and on a smooth plane up to {{n_most_smooth|4}}; with more the program
+tells the times of a ball that is held down.
 
 {{table errors}}
 
@@ -338,6 +343,40 @@ CHECK_THAT("the equations of motion bring the rolling ball round in the time tol
     CHECK(exact::solve(motion, 0, {0, zeta}, 1, Fifty("1e-24")).y[0]
           == within(2 * exact::pi(), 1e-19, "steps of 1e-24"));
     CHECK(now.value("turn", seconds) == within_relative(turn, 4e-15, "eight ulps and a root"));
+  }
+}
+
+CHECK_THAT(
+    "up to the greatest n told the plane bears the ball all the way round, and with more it does not")
+{
+  for(const Told& now : told_at("", "c=0.5 k=0.5", "a=1e40 c=9e39 k=1e39", "c=1e-20"))
+  {
+    const Asked it = asked_now();
+    const auto least = [&](const Fifty& n_, bool rolls) {  // what it bears, over all angles
+      Fifty smallest = infinity;
+      for(int i = 0; i <= 720; ++i)
+      {
+        const Fifty at = i * exact::pi() / 720;
+        const Energy<Fifty> e = energy(Fifty(n_ * n_ / 2));
+        const Place<Fifty> there = i == 720 ? half_turn : place(at);
+        const Fifty ww = 2 * it.ball.c
+                         * (rolls ? rolling::velocity_squared(it.ball, e, there)
+                                  : smooth::velocity_squared(it.ball.c, it.ball.k, e, there));
+        smallest =
+            std::min(smallest, rolls ? rolling_accelerations<Fifty>(it.ball, 1, at, sqrt(ww)).pressure
+                                     : accelerations<Fifty>(it.ball, 1, at, sqrt(ww), 0).pressure);
+      }
+      return smallest;
+    };
+    const Fifty loss = rolling::loss_of_pressure(it.ball).h, off = 1 + pow(it.ball.k / it.ball.c, 2) / 4;
+    CHECK(now.value("n_most") == within_relative(sqrt(2 * loss), 1e-15, "an ulp, and a root"));
+    CHECK(now.value("n_most_smooth") == within_relative(sqrt(2 * off), 1e-15, "some roundings"));
+    for(const bool rolls : {false, true})
+    {
+      const Fifty most = sqrt(2 * (rolls ? loss : off));
+      CHECK(least(most * Fifty("0.9999"), rolls) > 0);
+      CHECK(least(most * Fifty("1.0001"), rolls) < 0);
+    }
   }
 }
 
