@@ -107,6 +107,12 @@ double Y_at(double angle, double speed)
   return 2 * s * s;
 }
 
+Fifty beyond()  // by how much h = ½nn is greater than §20 allows
+{
+  const Fifty r = k.fifty() / c.fifty();
+  return n.fifty() * n.fifty() / 2 - 1 - r * r / 4;
+}
+
 TELL
 {
   require(c <= k && k <= 1e40 * c, "c", "between 1e-40 k and k: it is to be small");
@@ -115,6 +121,9 @@ TELL
   tell("zeta", 2 * n / k * std::sqrt(g) * std::sqrt(c), Unit{"1/s"}, "ζ, by (1)");
   tell("n_most", std::sqrt(2 + 0.5 / shape()),
        "the greatest n with which the ball stays on the plane, §20");
+  if(beyond() > 0)
+    tell("Phi_off", smooth::lift_off<double>(c, k, double(beyond())).Phi, degrees,
+         "where it leaves it; what is told beyond is of a ball held down");
   tell("exact", k * now.exact, feet, "2n√gc dt:dΦ at Φ, with both roots");
   tell("euler", k * now.euler, feet, "the same by (5)");
   tell("lacks", now.lacks, percent, "by how much that is too small");
@@ -272,6 +281,25 @@ CHECK_THAT("(B) are the means of the three terms, and with (5) they are the true
     CHECK(missing
           == within_relative(small * small * (Fifty(1) / 8 + Fifty(9) / 16 - Fifty(3) / 64),
                              2 * double(small), "the third order"));
+  }
+}
+
+CHECK_THAT("with more than the greatest n told the ball is without pressure at the angle told")
+{
+  for(const Told& now : told_at("n=6", "n=4.5", "n=1e8 c=1e-3 g=7", "n=1.5 c=1 k=1 Phi=1"))
+  {
+    const Fifty c_ = c.fifty(), k_ = k.fifty(), e = n.fifty() * n.fifty() / 2;
+    const Ball<Fifty> ball{c_ + k_, c_, k_};
+    Fifty low = exact::pi() / 2, high = exact::pi();
+    for(int i = 0; i < 150; ++i)
+    {
+      const Fifty at = (low + high) / 2;
+      const Fifty w = sqrt(2 * c_ * smooth::velocity_squared<Fifty>(c_, k_, energy(e), place(at)));
+      (accelerations<Fifty>(ball, 1, at, w, 0).pressure > 0 ? low : high) = at;
+    }
+    CHECK((n.fifty() > sqrt(2 + pow(k_ / c_, 2) / 2)) == (high < 3.14159));
+    if(high < 3.14159)
+      CHECK(now.value("Phi_off", degrees) == within_relative(low, 4e-15, "eight ulps, and the excess"));
   }
 }
 
