@@ -527,7 +527,9 @@ for (const figure of all('figure[data-scene]')) {
 // What was changed or clicked before this script was there.
 const early = [...inputs].filter(([, input]) => input.value !== input.defaultValue);
 for (const [name, input] of early) give(name, input.value);
-const moved = [...slides].filter(([, slide]) => slide.value !== slide.defaultValue);
+/** Where a slider stands of itself: at the step that is next to what was woven. */
+const atRest = (slide) => Object.assign(slide.cloneNode(), { value: slide.defaultValue }).value;
+const moved = [...slides].filter(([, slide]) => slide.value !== atRest(slide));
 if (fromAddress() || early.length) run();
 else if (moved.length) for (const [, slide] of moved) slide.dispatchEvent(new Event('input'));
 else
