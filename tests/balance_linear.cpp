@@ -7,11 +7,13 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include <gsl/gsl_sf_mathieu.h>
 
 #include "balance/exchange.hpp"
 #include "balance/hung.hpp"
+#include "balance/links.hpp"
 #include "balance/mathieu.hpp"
 #include "balance/motion.hpp"
 #include "edition/compare.hpp"
@@ -206,6 +208,47 @@ TEST_CASE("the exact motion with C movable")
         "0.00054201370293763711946224553", "0.10820686209809760272086587", 2e-14);
   check(round.to(60), "-0.0060105512012428530924600189", "0.0052351056061587358547760446",
         "0.078535450217562335054526297", "0.00036258844742331301903828302", 1e-13);
+}
+
+TEST_CASE(
+    "links give the motion, the energy and the small motions of the balance with shears, or with C fixed")
+{
+  const Full_state start{{0.1, 0.3, -0.5, 0.7}, {-0.2, 0.1, 1.0, -1.0}};
+  const Full_state fixed{{0, 0.3, -0.5, 0.7}, {0, 0.1, 1.0, -1.0}};
+  const Suspended held{light_pans, 1, 0.3, false};
+  for(const auto& [s, from] : {std::pair{plain, start}, std::pair{held, fixed}})
+  {
+    Full_motion motion(s, from);
+    const Full_state now = motion.to(4);
+    const links::Place<double> other = links::followed(s, from, 4), mine = links::place(now);
+    for(std::size_t k = 0; k < 4; ++k)
+    {
+      CHECK(other.q[k] == within(mine.q[k], 1e-9, "the classical rule"));
+      CHECK(other.v[k] == within(mine.v[k], 1e-8, "the same, of rates some times as great"));
+    }
+    const Energies shares = energies(s, now);
+    CHECK(links::built(s).energy(mine)
+          == within_relative(shares.P + shares.Q + shares.rest, 1e-14, "sums"));
+  }
+  const auto widened = [](const Suspended& s, const Fifty& longer) {
+    const Instrument& x = s.beam;
+    return links::Built<Fifty>{s.h, x.a, x.b, x.b * (1 + longer), x.c, x.kk, x.L, x.M, 2 * Fifty(x.g)};
+  };
+  const links::Place<Fifty> later =
+      links::small_motion(widened(designed, 0), {{0, 0, 1, 0}, {}}, 5 * exact::pi(), 30);
+  CHECK(later.q[3] == within(Fifty(-1), 1e-14, "designed so, its numbers rounded"));
+  CHECK(links::handed_on(widened(designed, 0)) == within_relative(Fifty(1), 1e-18, "equal strings"));
+  for(const double longer : {0.01, 0.1, -0.2})
+    for(const Suspended& s : {designed, plain})
+      CHECK(handed_on(s, longer)
+            == within_relative(links::handed_on(widened(s, longer)), 1e-12, "Eigen's"));
+}
+
+TEST_CASE("the exchange by shears keeps together what a slight change puts apart, a wild motion does not")
+{
+  CHECK(parting(designed, {{0, 0, 0.01, 0}, {}}, 30) == between(1, 10, "slow beats"));
+  const Suspended light{{2, 2, 0.4, 0.3, 4, 1, 16}, 1};
+  CHECK(parting(light, {{0.3, 0.3, -0.5, 0.5}, {1, 1, 1, 1}}, 60) > 1e4);
 }
 
 TEST_CASE("with C fixed and no offset the full equations are those of the balance in its four numbers")

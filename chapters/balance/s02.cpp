@@ -19,7 +19,9 @@ the beginning, the position of the beam and that of the pans.
 Sluggishness and sensitivity are one and the same. An overweight δ in one pan tilts a beam that is at rest by
 the angle ω at which its moment is that of the beam's own weight,
 
-$$ \delta\,a\cos\omega = Mc\sin\omega, \qquad \tan\omega = \frac{\delta\,a}{Mc}, \tag{A} $$
+$$ \begin{gathered} \delta\,a\cos\omega = Mc\sin\omega,\\
+   \tan\omega = \frac{\delta\,a}{Mc},
+\end{gathered} \tag{A} $$
 
 and a small swing of the beam lasts $\pi\sqrt{f:2g}$ from side to side, where $f = I:Mc$ and $I =
 M(kk+cc)+2Laa$ ({{sec balance.14}}). Of the two the depth $c$ drops out where one divides by the square of

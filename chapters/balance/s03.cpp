@@ -38,7 +38,9 @@ Let the beam be made. A thin straight rod $ACB$, balanced in $C$, has no reason 
 must hang below. A tongue, a thin rod of the length $l$ that points from $C$ downward and has the part $p$
 of the whole weight, is enough:
 
-$$ c = \tfrac12pl, \qquad kk + cc = (1-p)\tfrac13aa + p\,\tfrac13ll. \tag{A} $$
+$$ \begin{gathered} c = \tfrac12pl,\\
+   kk + cc = (1-p)\tfrac13aa + p\,\tfrac13ll.
+\end{gathered} \tag{A} $$
 
 The radius of gyration about $G$ is got without a difference of squares, which would cost digits where the
 tongue is heavy.

@@ -134,7 +134,10 @@ CHECK_THAT("the times are those of the integral, and near the vertical they grow
 /*!
 The two oscillators are set going by themselves: coupled by a spring $s$ of the strength that $T$ demands,
 
-$$ \ddot u = -\mu^2u - s(u+v), \qquad \ddot v = -\mu'^2v - s(u+v), \qquad 2s = \sigma^2-\mu^2, \tag{C} $$
+$$ \begin{gathered} \ddot u = -\mu^2u - s(u+v),\\
+   \ddot v = -\mu'^2v - s(u+v),\\
+   2s = \sigma^2-\mu^2,
+\end{gathered} \tag{C} $$
 
 in which equal ones keep μ against each other and have σ with each other. The first is let go alone, and what
 the second reaches is looked for.

@@ -12,7 +12,9 @@ using namespace balance;
 To bring the places of P and Q into the calculation, perpendiculars are dropped from both to the horizontal
 axis through $C$, to the points $p$ and $q$. Then each pan has two coordinates,
 
-$$ Cp = x, \quad pP = y; \qquad Cq = x', \quad qQ = y', \tag{1} $$
+$$ \begin{gathered} Cp = x, \quad pP = y;\\
+   Cq = x', \quad qQ = y',
+\end{gathered} \tag{1} $$
 
 and these, he says, have to be determined by what was introduced before. Nothing else is done here; the next
 section does it ({{sec balance.06}}).
@@ -26,12 +28,16 @@ Four coordinates stand there for three angles. So the four cannot be independent
 pans are knows a little too much. Let $u$ and $v$ be the place of $A$, outward and downward from $C$; $B$ lies
 opposite. The strings have the length $b$,
 
-$$ (x-u)^2 + (y-v)^2 = bb, \qquad (x'-u)^2 + (y'+v)^2 = bb, \tag{A} $$
+$$ \begin{gathered} (x-u)^2 + (y-v)^2 = bb,\\
+   (x'-u)^2 + (y'+v)^2 = bb,
+\end{gathered} \tag{A} $$
 
 and $uu + vv = aa$. With the last the squares of $u$ and $v$ go out of {{eq A}}, and what is left is of the
 first degree. With $2R = xx+yy+aa-bb$ and $2R' = x'x'+y'y'+aa-bb$
 
-$$ u = \frac{R\,y' + R'y}{xy'+x'y}, \qquad v = \frac{R\,x' - R'x}{xy'+x'y}. \tag{B} $$
+$$ \begin{gathered} u = \frac{R\,y' + R'y}{xy'+x'y},\\
+   v = \frac{R\,x' - R'x}{xy'+x'y}.
+\end{gathered} \tag{B} $$
 
 So the ends of the beam are found from the pans alone, without a root and without ambiguity, and with
 them all three angles. That $uu+vv$ comes out as $aa$ is the condition that the four coordinates have to

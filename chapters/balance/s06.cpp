@@ -21,13 +21,17 @@ $$ A\alpha = a\sin\omega, \qquad C\alpha = a\cos\omega. \tag{2} $$
 
 The beam lifts $A$ above the horizontal and the string hangs down from it, outward by $Ar$; therefore
 
-$$ x = a\cos\omega + b\sin\eta, \qquad y = b\cos\eta - a\sin\omega. \tag{3} $$
+$$ \begin{gathered} x = a\cos\omega + b\sin\eta,\\
+   y = b\cos\eta - a\sin\omega.
+\end{gathered} \tag{3} $$
 
 For the other pan the same normals are drawn from $B$ {{entry from_B}}, which is as far below the horizontal
 as $A$ is above it. Its string leans inward where that of P leans outward, for both angles are counted
 towards the same side, and so two signs change:
 
-$$ x' = a\cos\omega - b\sin\vartheta, \qquad y' = b\cos\vartheta + a\sin\omega. \tag{4} $$
+$$ \begin{gathered} x' = a\cos\omega - b\sin\vartheta,\\
+   y' = b\cos\vartheta + a\sin\omega.
+\end{gathered} \tag{4} $$
 
 ::: margin
 $x$, $x'$ are counted outward from $C$, each to its own side; $y$, $y'$ downward. The strokes are no
@@ -36,8 +40,9 @@ derivatives.
 
 With the angles go their rates. Differentiated once, {{eq 3}} and {{eq 4}} give the speeds of the pans,
 
-$$ \dot x = -a\dot\omega\sin\omega + b\dot\eta\cos\eta, \quad
-   \dot y = -b\dot\eta\sin\eta - a\dot\omega\cos\omega, \tag{A} $$
+$$ \begin{gathered} \dot x = -a\dot\omega\sin\omega + b\dot\eta\cos\eta,\\
+   \dot y = -b\dot\eta\sin\eta - a\dot\omega\cos\omega,
+\end{gathered} \tag{A} $$
 
 and those of Q with the same two changes of sign. These are the places where beam and string work on each
 other: for small angles the beam enters $\dot y$ at the first order, $\dot x$ only at the second.

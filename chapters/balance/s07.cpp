@@ -15,8 +15,9 @@ force that is not known beforehand; Euler calls it $P$, like the pan. It is reso
 $P\cos\eta$ upward, and a horizontal part $P\sin\eta$, which drives the pan towards $C$. So the pan is urged
 upward with $P\cos\eta - L$, and its motion is determined by
 
-$$ \text{I.}\quad \frac{ddx}{2g\,dt^2{{entry two_g}}} = -\frac{P\sin\eta}L, \qquad
-   \text{II.}\quad \frac{ddy}{2g\,dt^2} = \frac{L - P\cos\eta}L. \tag{1} $$
+$$ \begin{gathered} \text{I.}\quad \frac{ddx}{2g\,dt^2{{entry two_g}}} = -\frac{P\sin\eta}L,\\
+   \text{II.}\quad \frac{ddy}{2g\,dt^2} = \frac{L - P\cos\eta}L.
+\end{gathered} \tag{1} $$
 
 ::: margin
 $m\ddot{\mathbf r} = \mathbf F$. Euler measures masses by their weights, and $g$ is the height fallen in

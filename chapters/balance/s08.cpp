@@ -12,8 +12,9 @@ using namespace balance;
 The other pan has two equations like those of the first. Its string pulls with the force $Q$: upward with
 $Q\cos\vartheta$, and with $Q\sin\vartheta$ horizontally, now away from $C$, since ϑ leans the other way. So
 
-$$ \text{III.}\quad \frac{ddx'}{2g\,dt^2} = \frac{Q\sin\vartheta}L, \qquad
-   \text{IV.}\quad \frac{ddy'}{2g\,dt^2} = \frac{L - Q\cos\vartheta}L, \tag{1} $$
+$$ \begin{gathered} \text{III.}\quad \frac{ddx'}{2g\,dt^2} = \frac{Q\sin\vartheta}L,\\
+   \text{IV.}\quad \frac{ddy'}{2g\,dt^2} = \frac{L - Q\cos\vartheta}L,
+\end{gathered} \tag{1} $$
 
 where $g$ is the height through which heavy bodies fall in one second. Everything moves in seconds, then,
 and the unit of length is left free.

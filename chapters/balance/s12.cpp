@@ -22,7 +22,9 @@ $$ \begin{gathered}
 
 The second and the fourth give both tensions at once:
 
-$$ P = L + \frac{La\,dd\omega}{2g\,dt^2}, \qquad Q = L - \frac{La\,dd\omega}{2g\,dt^2}. \tag{2} $$
+$$ \begin{gathered} P = L + \frac{La\,dd\omega}{2g\,dt^2},\\
+   Q = L - \frac{La\,dd\omega}{2g\,dt^2}.
+\end{gathered} \tag{2} $$
 
 So the strings pull with the pans' weights, a little more or less as the end of the beam goes up faster or
 slower. With the beam's equation, $dd\omega:2g\,dt^2 = -\omega:f$ ({{sec balance.14}}), the excess is $\mp
@@ -32,8 +34,9 @@ Right to the first order of the angles, {{eq 2}} will be used at the second: in 
 multiplied by η or ϑ, and there the first order suffices; but in V the tensions themselves stand, and there
 that order is the last which is right. To the {{term second order}}
 
-$$ \frac PL = 1 + \frac{a\ddot\omega + b\dot\eta^2}{2g} - \tfrac12\eta^2, \qquad
-   \frac QL = 1 - \frac{a\ddot\omega - b\dot\vartheta^2}{2g} - \tfrac12\vartheta^2, \tag{A} $$
+$$ \begin{gathered} \frac PL = 1 + \frac{a\ddot\omega + b\dot\eta^2}{2g} - \tfrac12\eta^2,\\
+   \frac QL = 1 - \frac{a\ddot\omega - b\dot\vartheta^2}{2g} - \tfrac12\vartheta^2,
+\end{gathered} \tag{A} $$
 
 with $\ddot\omega$ to that order. Every pendulum pulls with less than its weight where it turns, and
 with more where it passes the vertical. Such parts are of the second order, that of the beam is of the first;

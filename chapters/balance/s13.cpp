@@ -1,4 +1,5 @@
 #include "balance/instrument.hpp"
+#include "balance/motion.hpp"
 #include "edition/section.hpp"
 
 SECTION(balance, 13, "Three equations, and what ought not to be dropped")
@@ -74,6 +75,7 @@ const auto theta = angle("theta", 5_deg, closed(-90_deg, 90_deg), "inclination �
 const auto omega_rate = real("omega_rate", 0.3, Unit{"1/s"}, closed(-1e3, 1e3), "dω/dt");
 const auto eta_rate = real("eta_rate", -0.2, Unit{"1/s"}, closed(-1e3, 1e3), "dη/dt");
 const auto theta_rate = real("theta_rate", 0.4, Unit{"1/s"}, closed(-1e3, 1e3), "dϑ/dt");
+const auto t = real("t", 7, seconds, closed(0, 50), "a later time");
 
 Balance<Fifty> given()
 {
@@ -138,6 +140,41 @@ TELL
   }
 }
 
+/*!
+Whither the full equations bring this state, {{api balance::Motion}} tells, with the {{api balance::energy}}
+that they keep, in parts of $I$. Where neighbouring motions part, roundings with them, it refuses.
+*/
+
+Balance<> rounded()
+{
+  return {lambda * lambda, mu * mu, beta, rho};
+}
+
+State<> start()
+{
+  return {{omega, eta, theta}, {omega_rate, eta_rate, theta_rate}};
+}
+
+TELL
+{
+  const double quick = std::max({double(lambda), double(mu), std::abs(double(omega_rate)),
+                                 std::abs(double(eta_rate)), std::abs(double(theta_rate))});
+  require(quick * t <= 1e4, "t", "such that no angle turns through 10000 radians");
+  require(parting(rounded(), start(), t) <= 1e4, "t",
+          "so short that a slight change does not grow ten thousand times");
+  Motion motion(rounded(), start());
+  const auto [at, rate] = motion.to(t);
+  const Unit speed{"1/s"};
+  tell("omega_t", at.omega, radians, "ω at the time t, by the full equations", 14);
+  tell("eta_t", at.eta, radians, "η then", 14);
+  tell("theta_t", at.theta, radians, "ϑ then", 14);
+  tell("omega_rate_t", rate.omega, speed, "dω/dt then", 13);
+  tell("eta_rate_t", rate.eta, speed, "dη/dt then", 13);
+  tell("theta_rate_t", rate.theta, speed, "dϑ/dt then", 13);
+  tell("energy", energy(rounded(), start()), per_second_2, "the energy at the start, over I", 14);
+  tell("energy_t", energy(rounded(), {at, rate}), per_second_2, "the same at the time t", 13);
+}
+
 TELL
 {
   curve("terms", {"lambda_t", "kept", "dropped"}, [](Curve& out) {  // Euler's example, let go from rest
@@ -182,10 +219,33 @@ Instrument realised()  // with b = 1, M(kk+cc)+2Laa = 1 and L = ρ:aa
   return {beta, 1, c, own / 2 - c * c, rho / (beta * beta), 2, g};
 }
 
+CHECK_THAT("the state told is that to which twenty digits come, and the energy is kept")
+{
+  for(const Told& now : told_at("", "lambda=0.9 mu=2 omega=-10 eta=12 theta=-9 rho=0.4 t=9",
+                                "mu=11 beta=1 eta_rate=1 theta_rate=-2 t=3"))
+  {
+    const State<Fifty> then = oracle(rounded(), start(), t);
+    const double room = 1e-13 * parting(rounded(), start(), t);
+    const char* const why = "rounding, as neighbouring motions part";
+    const Unit speed{"1/s"};
+    CHECK(now.value("omega_t", radians) == within(then.at.omega, room, why));
+    CHECK(now.value("eta_t", radians) == within(then.at.eta, room, why));
+    CHECK(now.value("theta_t", radians) == within(then.at.theta, room, why));
+    const double quick = room * (lambda + mu);
+    CHECK(now.value("omega_rate_t", speed) == within(then.rate.omega, quick, why));
+    CHECK(now.value("eta_rate_t", speed) == within(then.rate.eta, quick, why));
+    CHECK(now.value("theta_rate_t", speed) == within(then.rate.theta, quick, why));
+    const Balance<Fifty> of{rounded().lambda2, rounded().mu2, rounded().beta, rounded().rho};
+    const Fifty all = energy(of, widened(start()));
+    CHECK(now.value("energy", per_second_2) == within_relative(all, 1e-14, "some sums"));
+    CHECK(now.value("energy_t", per_second_2) == within_relative(all, 1e-12, "kept, step by step"));
+  }
+}
+
 CHECK_THAT("the accelerations told as true are those of Newton's five equations")
 {
   for(const Told& now :
-      told_at("", "lambda=0.9 mu=2 omega=-60 eta=80 theta=-75 rho=0.4 omega_rate=1 eta_rate=3",
+      told_at("", "lambda=0.9 mu=2 omega=-60 eta=80 theta=-75 rho=0.4 omega_rate=1 eta_rate=3 t=0",
               "beta=3 mu=5 omega=1e-7rad eta=2e-7rad theta=0 omega_rate=0 eta_rate=1e-6 "
               "theta_rate=-1e-7"))
   {
@@ -195,7 +255,7 @@ CHECK_THAT("the accelerations told as true are those of Newton's five equations"
     const Angles<> right = five_equations(realised(), state).acceleration;
     const double size = std::abs(right.omega) + std::abs(right.eta) + std::abs(right.theta);
     const double allowed = 4e-14 * size + 1e-15 * mu * mu;
-    const char* const why = "elimination in doubles, of pulls near 1";
+    const char* const why = "the instrument's numbers are rounded";
     CHECK(now.value("omega_full", per_second_2) == within(right.omega, allowed, why));
     CHECK(now.value("eta_full", per_second_2) == within(right.eta, allowed, why));
     CHECK(now.value("theta_full", per_second_2) == within(right.theta, allowed, why));
@@ -222,8 +282,8 @@ Angles<Fifty> order_of_full(int order,
 CHECK_THAT("(A) is the full equations' first and second order, (1) their first and a part of the second")
 {
   for(const Told& now :
-      told_at("", "lambda=7 mu=0.3 beta=20 rho=0.4 omega=-60 eta=80 theta=-75 eta_rate=30",
-              "rho=0 omega=1e-9 omega_rate=1e-9 eta=1e-12 theta=90",
+      told_at("", "lambda=7 mu=0.3 beta=20 rho=0.4 omega=-60 eta=80 theta=-75 eta_rate=30 t=0",
+              "rho=0 omega=1e-9 omega_rate=1e-9 eta=1e-12 theta=90 t=0",
               "omega=9 eta=9 theta=9 omega_rate=0 eta_rate=0 theta_rate=0"))
   {
     const State<Fifty> state = now_at(1);
@@ -251,7 +311,8 @@ CHECK_THAT("(A) is the full equations' first and second order, (1) their first a
 CHECK_THAT("what (1) misses falls with the square of the swings and is the dropped term, what (A) misses "
            "with the cube")
 {
-  for(const Told& now : told_at("", "mu=0.7 beta=2 omega=30 eta=-10 theta=20", "omega_rate=-2 eta_rate=1"))
+  for(const Told& now :
+      told_at("", "mu=0.7 beta=2 omega=30 eta=-10 theta=20 t=0", "omega_rate=-2 eta_rate=1 t=0"))
   {
     const Fifty arc = dropped(now_at(1));
     const State<Fifty> tiny = now_at(Fifty("1e-9"));

@@ -12,14 +12,16 @@ using namespace balance;
 The beam being known, the pans have an equation each that does not contain the other. As
 $dd\omega:2g\,dt^2 = -\omega:f$ ({{sec balance.14}}), the first and the third equation become
 
-$$ \text{I.}\quad \frac{b\,dd\eta}{2g\,dt^2} = -\eta + \frac{a\eta\omega}f, \qquad
-   \text{III.}\quad \frac{b\,dd\vartheta}{2g\,dt^2} = -\vartheta - \frac{a\vartheta\omega}f. \tag{1} $$
+$$ \begin{gathered} \text{I.}\quad \frac{b\,dd\eta}{2g\,dt^2} = -\eta + \frac{a\eta\omega}f,\\
+   \text{III.}\quad \frac{b\,dd\vartheta}{2g\,dt^2} = -\vartheta - \frac{a\vartheta\omega}f.
+\end{gathered} \tag{1} $$
 
 (Our copy numbers the second of them II.) As ω is all but infinitely small, the last members may at first be
 passed over. Then each pan swings like a simple pendulum of the length $b$, and in finite quantities
 
-$$ \eta = \mathfrak A\sin\Bigl(\alpha + t\sqrt{\frac{2g}b{{entry root_of_2g}}}\Bigr), \qquad
-   \vartheta = \mathfrak B\sin\Bigl(\beta + t\sqrt{\frac{2g}b}\Bigr). \tag{2} $$
+$$ \begin{gathered} \eta = \mathfrak A\sin\Bigl(\alpha + t\sqrt{\frac{2g}b{{entry root_of_2g}}}\Bigr),\\
+   \vartheta = \mathfrak B\sin\Bigl(\beta + t\sqrt{\frac{2g}b}\Bigr).
+\end{gathered} \tag{2} $$
 
 Euler adds that these values are only to be regarded as near the truth; the sections that follow improve
 on them by one step.
@@ -31,8 +33,9 @@ $$ \frac{d^2\eta}{dt^2} + \bigl(\mu\mu - p\,\lambda\lambda\cos\lambda t\bigr)\,\
 
 a pendulum whose weight changes in the rhythm of the beam. In the time $z = \tfrac12\lambda t$ it is
 
-$$ \frac{d^2\eta}{dz^2} + (A - 2q\cos2z)\,\eta = 0, \qquad
-   A = \frac{4\mu\mu}{\lambda\lambda}, \quad q = 2p, \tag{B} $$
+$$ \begin{gathered} \frac{d^2\eta}{dz^2} + (A - 2q\cos2z)\,\eta = 0,\\
+   A = \frac{4\mu\mu}{\lambda\lambda}, \quad q = 2p,
+\end{gathered} \tag{B} $$
 
 ::: margin
 Today: Mathieu's equation, a linear equation with periodic coefficient; the pan is driven parametrically.
@@ -331,7 +334,7 @@ $\mu = 2\lambda$ ({{sec balance.28}}).
 ## Go on from here
 
 ::: exercise
-Let the beam pull twice in every swing of the pan, `--lambda 6 --t 10`. How many periods of the beam does it
+Let the beam pull twice in every period of the pan, `--lambda 6 --t 10`. How many periods of the beam does it
 take for the swings of the example to double?
 
 answer: Fewer than three: they grow by nearly $\mu p$ a second, so that the doubling takes 2.8 s, and a period

@@ -39,7 +39,7 @@ Today: $2g$ is written $g$; λ and μ are angular frequencies.
 The factor η in {{eq 2}} is more than a letter. The beam does not change the place to which the pan returns
 but the weight with which it does: P weighs $1 - a\omega:f$ of what it is, and Q the same with a plus. A force
 that is in proportion to η cannot stir a pan that hangs at rest. If η were missing, as in our copy, the beam
-would shake both pans directly, with the strength $a\mathfrak C:f$, and the whole chapter would end otherwise.
+would shake both pans directly, with the strength $a\mathfrak C:f$, and a pan at rest would not remain so.
 
 To solve {{eq 2}} Euler will put the first approximation into the small member, once ({{sec balance.17}}). One
 can do it again. The second time the product contains, among its waves, one of the frequency μ itself, and a

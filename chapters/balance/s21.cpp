@@ -19,7 +19,9 @@ $$ c = 0, \qquad f = \infty, \qquad \lambda = \sqrt{\frac{2g}f} = 0. \tag{1} $$
 Then both pans could swing apart, neither being disturbed by the other. The formulae show it plainly, says
 Euler, as the members that the beam's motion has added vanish. There remain
 
-$$ \eta = \mathfrak A\sin(\alpha+\mu t), \qquad \vartheta = \mathfrak B\sin(\beta+\mu t), \tag{2} $$
+$$ \begin{gathered} \eta = \mathfrak A\sin(\alpha+\mu t),\\
+   \vartheta = \mathfrak B\sin(\beta+\mu t),
+\end{gathered} \tag{2} $$
 
 two simple pendulums. But this holds as long as the beam remains at rest, though it may be inclined. As soon
 as it has taken up any motion there is nothing to restrain it; ω will soon be too large to pass for very

@@ -22,8 +22,10 @@ $$ \mathfrak C = 0. \tag{2} $$
 
 With that the side tones of {{sec balance.17}} and {{sec balance.18}} are gone, and there remain
 
-$$ \eta = \mathfrak A\sin(\alpha+\mu t), \qquad \vartheta = \mathfrak B\sin(\beta+\mu t), \qquad
-   \omega = 0, \tag{3} $$
+$$ \begin{gathered} \eta = \mathfrak A\sin(\alpha+\mu t),\\
+   \vartheta = \mathfrak B\sin(\beta+\mu t),\\
+   \omega = 0,
+\end{gathered} \tag{3} $$
 
 three formulae of which none acts on another {{entry beam_at_rest}}: each of beam and pans would swing by
 itself and regularly. Since this is not what was observed, Euler takes it as a manifest sign that the beam
@@ -46,8 +48,9 @@ $$ \rho_1 = \frac{4\mu\mu-\lambda\lambda}{32\mu\mu}, \tag{B} $$
 
 about an eighth. Beyond it Q grows from the least beginning, as $e^{rt}$ with
 
-$$ r = \frac{nn}4\sqrt{\frac\mu2\left(s-\frac\mu8\right)}, \qquad
-   s = \frac{4\rho\mu^3}{4\mu\mu-\lambda\lambda}. \tag{C} $$
+$$ \begin{gathered} r = \frac{nn}4\sqrt{\frac\mu2\left(s-\frac\mu8\right)},\\
+   s = \frac{4\rho\mu^3}{4\mu\mu-\lambda\lambda}.
+\end{gathered} \tag{C} $$
 
 So the conclusion about the first impulse does not hold: an exchange is no proof that the beam was pushed.
 

@@ -77,7 +77,7 @@ TELL
   require(lambda.fifty() != 2 * mu.fifty(), "lambda", "not 2 mu, where K is infinite");
   require(abs(K()) < 1e150, "lambda", "such that K is below 1e150");
   const double p = double(arm());
-  require(p >= 1e-6 && p <= 0.4, "a", "such that μμam/2g, which is am/b, is from 1e-6 to 0.4");
+  require(p > 0 && p <= 0.99, "a", "such that μμam/2g, which is am/b, is positive and at most 0.99");
   tell("p", p, "am/b");
   tell("K", double(K()), "K");
   tell("one_plus", double(1 + K()), "1 + K");
@@ -85,9 +85,12 @@ TELL
   tell("determinant", determinant(K()), "(1 + K)(1 − K)");
   tell("one", where(1), Unit{"1/s"}, "λ at which K = 1");
   tell("minus_one", where(-1), Unit{"1/s"}, "λ at which K = −1");
-  const Interval growing = unstable(mu, p, 1);
-  tell("from", growing.from, Unit{"1/s"}, "a pan's swings grow from this λ", 11);
-  tell("to", growing.to, Unit{"1/s"}, "to this", 11);
+  if(p >= 1e-6 && p <= 0.4)
+  {
+    const Interval growing = unstable(mu, p, 1);
+    tell("from", growing.from, Unit{"1/s"}, "a pan's swings grow from this λ", 11);
+    tell("to", growing.to, Unit{"1/s"}, "to this", 11);
+  }
 }
 
 /*!
@@ -169,6 +172,13 @@ CHECK_THAT(
     CHECK(now.value("to", Unit{"1/s"}) == within_relative(2 * mu.fifty() / sqrt(down), next, "the same"));
     for(const int K_is : {1, -1})
       CHECK(floquet({1, where(K_is) / mu, double(p)}).growth > 0);
+  }
+  for(const Told& now : told_at("a=20 m=9", "a=1e-50"))  // strong and weak pulls
+  {
+    const Fifty p = arm();
+    CHECK(now.value("one", Unit{"1/s"}) == within_relative(2 * mu.fifty() / sqrt(1 + p), 1e-15, "a root"));
+    CHECK(now.value("minus_one", Unit{"1/s"})
+          == within_relative(2 * mu.fifty() / sqrt(1 - p), 1e-13, "one less am:b"));
   }
   CHECK(refused_at("lambda=6"));
 }

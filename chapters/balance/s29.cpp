@@ -37,8 +37,9 @@ swings makes no difference to Q; this is case 1 over again for the one pan, and 
 The full equations deny it, and in two steps. At the second order Q has the motion that it also has beside a
 pan at rest,
 
-$$ \vartheta = F(\cos2\lambda t-\cos\mu t), \qquad
-   F = \frac ab\,\frac{\lambda\lambda mm}{\mu\mu-4\lambda\lambda}, \tag{A} $$
+$$ \begin{gathered} \vartheta = F(\cos2\lambda t-\cos\mu t),\\
+   F = \frac ab\,\frac{\lambda\lambda mm}{\mu\mu-4\lambda\lambda},
+\end{gathered} \tag{A} $$
 
 since $B$ moves on an arc ({{sec balance.28}}). Here $n$ does not come in, and it does not grow. At the third
 order there is a part that grows with the time and has its force from P, and it goes on until Q has all

@@ -2,8 +2,6 @@
 #include "balance/exchange.hpp"
 #include "edition/section.hpp"
 
-#include <complex>
-
 SECTION(balance, 31, "No motion in the other pan, and where it comes from all the same")
 
 using namespace balance;
@@ -235,21 +233,9 @@ CHECK_THAT("the smaller the beam's swing, the better (B)")
   }
 }
 
-Amplitudes in_the_mean(double angle,
-                       double middle)  // at μ = 3, over four swings of the beam to and fro, by GSL
+Envelope in_the_mean(double angle, double middle)  // over four swings of the beam to and fro, by GSL
 {
-  State<> now = released(angle, angle, 0);
-  std::complex<double> P = 0, Q = 0;
-  double at = 0;
-  for(int k = 0; k < 400; ++k)
-  {
-    const double next = middle + 8 * std::numbers::pi * (k / 400. - 0.5);
-    now = by_gsl(of_35, now, next - at, 1e-12);
-    at = next;
-    P += std::polar(1., 3 * next) * std::complex<double>(now.at.eta, now.rate.eta / 3);
-    Q += std::polar(1., 3 * next) * std::complex<double>(now.at.theta, now.rate.theta / 3);
-  }
-  return {std::abs(P) / 400, std::abs(Q) / 400};
+  return by_gsl_in_the_mean(of_35, released(angle, angle, 0), middle, 8 * std::numbers::pi, 400);
 }
 
 CHECK_THAT("in Euler's example all passes over, later than (B) says, and by less the smaller the angles")
@@ -266,7 +252,7 @@ CHECK_THAT("in Euler's example all passes over, later than (B) says, and by less
       CHECK(rows[k].value("angle", degrees) == within_relative(angle, 1e-15, "one rounding"));
       CHECK(rows[k].value("theory", seconds) == within_relative(theory, 4e-15, "a dozen roundings"));
       const double first = in_the_mean(angle_, 12.6).P;
-      const Amplitudes there = in_the_mean(angle_, time);
+      const Envelope there = in_the_mean(angle_, time);
       CHECK(rows[k].value("motion", seconds)
             == between(double(theory), (1 + last) * double(theory), "(B), and less off"));
       CHECK(rows[k].value("Q", percent) == within(there.Q / first, 0.01, "another mean"));

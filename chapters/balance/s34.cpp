@@ -66,8 +66,11 @@ TELL
   for(const double arm : {0.25, 0.5, 1., 2., 4., 8.})
     rows.row({arm, i_with(arm)});
   curve("by_arm", {"a", "i"}, [](Curve& out) {
-    for(int j = 1; j <= 160; ++j)
-      out.put({j / 20., i_with(j / 20.)});
+    for(int j = -80; j <= 40; ++j)
+    {
+      const double arm = std::pow(10, j / 40.);
+      out.put({arm, i_with(arm)});
+    }
   });
 }
 
@@ -103,11 +106,11 @@ longest would have {{limit|5}}.
 {{table arms}}
 
 ::: figure balance-34
-alt: The number i against half the length of the beam. It rises steeply from zero, bends within the first half
-foot and runs level from there.
+alt: The number i against half the length of the beam, on a logarithmic axis from a hundredth of a foot to ten
+feet. It rises from zero, bends where a is some times c, and runs level along a thin line.
 
-The number $i$ for beams of one shape and of different length, all else being equal. That it grows with $a$
-is true of the shortest only.
+The number $i$ for beams of one shape and of different length, all else being equal; the thin line is the
+limit. That it grows with $a$ is true of the shortest only.
 :::
 
 ## Checks

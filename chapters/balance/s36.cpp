@@ -61,8 +61,15 @@ const auto m = angle("m", 1. / 6, closed(-20_deg, 20_deg), "inclination of the b
 const auto n = angle("n", 1. / 6, closed(-20_deg, 20_deg), "inclination of the pan P at the start");
 const auto n1 = angle("n1", 1. / 6, closed(-20_deg, 20_deg), "inclination n′ of the pan Q at the start");
 const auto rho = real("rho", 0.25, none, closed(0, 0.45), "share of one pan in the whole inertia");
+const auto lambda_t = angle("lambda_t", 150_deg, closed(0_deg, 36000_deg), "λt of one row by itself");
+const auto unit = angle("unit", 1. / 6, closed(0.01_deg, 180_deg), "what counts there as so many degrees");
+const auto unit_is = real("unit_is", 10, none, closed(0.01, 3600), "how many");
 
 const auto given = [] { return Release{lambda, mu, i, {m, n, n1}, rho}; };
+const auto as_written = [] {
+  return ReleaseOf<Fifty>{
+      lambda.fifty(), mu.fifty(), i.fifty(), {m.fifty(), n.fifty(), n1.fifty()}, rho.fifty()};
+};
 
 double period()  // of the beam
 {
@@ -99,12 +106,26 @@ TELL
              {"theta_full", "ϑ"}});
   for(int row = 0; const State<>& full : course(balance_of(given()), {given().at, {}}, period(), 12))
   {
-    const Angles<> by_1 = euler(given(), row * 30_deg / lambda), at = full.at;
+    const Row by_1 = row_of(as_written(), row * exact::pi() / 6, Fifty(1) / 6, 10);
+    const Angles<>& at = full.at;
     const std::string label = (row == 1 ? "" : std::to_string(row / 2)) + (row % 2 == 1 ? "½" : "");
-    rows.row({label, written(by_1.omega), written(by_1.eta), written(by_1.theta), written(at.omega),
+    rows.row({label, by_1.omega.text(), by_1.eta.text(), by_1.theta.text(), written(at.omega),
               written(at.eta), written(at.theta)});
     ++row;
   }
+}
+
+/*!
+A row of any other table, at any λt and with any unit for the angles, is told by itself. It is rounded from
+fifty digits, so that no half of a minute is taken for more or less than it is.
+*/
+
+TELL
+{
+  const Row row = row_of(as_written(), lambda_t.fifty(), unit.fifty(), unit_is);
+  tell("row_omega", row.omega.text(), "ω by (1) at the λt given, in degrees of the unit given");
+  tell("row_eta", row.eta.text(), "η then");
+  tell("row_theta", row.theta.text(), "ϑ then");
 }
 
 /*!
@@ -441,6 +462,29 @@ CHECK_THAT("the scene shows the integrated motion, in its true time")
           by_name(joints<double>(0, 2 * i / lambda, 1, 0, full.omega, full.eta, full.theta)))
         CHECK(frame.value(column.first) == within(column.second, 3e-11, "GSL's tolerance, step by step"));
     }
+  }
+}
+
+std::string in_words(const Fifty& angle)  // the whole minutes next to it, by trial
+{
+  const Fifty all = abs(angle) / unit.fifty() * unit_is.fifty() * 60;
+  long whole = static_cast<long>(double(all)) - 1;
+  while(whole + Fifty("0.5") <= all)
+    ++whole;
+  return (angle < 0 && whole > 0 ? "−" : "") + std::to_string(whole / 60) + "°\u202f"
+         + std::to_string(whole % 60) + "′";
+}
+
+CHECK_THAT("a row of any table is the formula, rounded to the minute")
+{
+  for(const Told& now :
+      told_at("", "mu=2.5 i=0.5 m=5 n=3 n1=-4 lambda_t=77", "lambda=2 mu=7 i=1.5 m=7 n=-8 lambda_t=35999",
+              "m=9 lambda_t=60 unit=20 unit_is=0.1", "m=9 n=1 lambda_t=0 unit=180 unit_is=3600"))
+  {
+    const Angles<Fifty> formula = by_formula_1(lambda_t.fifty() / lambda.fifty());
+    CHECK(now.value("row_omega") == in_words(formula.omega));
+    CHECK(now.value("row_eta") == in_words(formula.eta));
+    CHECK(now.value("row_theta") == in_words(formula.theta));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -95,6 +96,25 @@ std::vector<Envelope> envelopes(const Balance<>& b, const State<>& start, double
     found.push_back({middle, std::hypot(p_cos, p_sin) / weights, std::hypot(q_cos, q_sin) / weights});
   }
   return found;
+}
+
+Envelope by_gsl_in_the_mean(const Balance<>& b, const State<>& start, double middle, double window,
+                            int parts)
+{
+  const double mu = std::sqrt(b.mu2);
+  State<> now = start;
+  std::complex<double> P = 0, Q = 0;
+  double at = 0;
+  for(int k = 0; k < parts; ++k)
+  {
+    const double next = middle + window * (double(k) / parts - 0.5);
+    now = by_gsl(b, now, next - at, 1e-12);
+    at = next;
+    const std::complex<double> back = std::polar(1., mu * next);
+    P += back * std::complex<double>(now.at.eta, now.rate.eta / mu);
+    Q += back * std::complex<double>(now.at.theta, now.rate.theta / mu);
+  }
+  return {middle, std::abs(P) / parts, std::abs(Q) / parts};
 }
 
 Handover handover(const std::vector<Envelope>& course)

@@ -2,6 +2,9 @@
 /// The exchange of motion between the pans beyond the first order (C fixed): by averaging, and as it shows in a motion.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include "balance/balance.hpp"
@@ -72,5 +75,35 @@ struct Handover
 
 /// From envelopes; the greatest is refined by a parabola. NaN throughout where Q's amplitude only rises or falls.
 Handover handover(const std::vector<Envelope>& course);
+
+/// The same two amplitudes about the moment `middle`, to judge envelopes(): by GSL (by_gsl() at 1e-12), in the plain mean of
+/// `parts` moments. @throws as by_gsl() does. Precondition: middle ≥ window/2 > 0, parts ≥ 1
+Envelope by_gsl_in_the_mean(const Balance<>& b, const State<>& start, double middle, double window,
+                            int parts);
+
+/// When Q leans farthest.
+struct Farthest
+{
+  double time;  ///< the moment
+  double Q;     ///< |ϑ| then
+  double P;     ///< the greatest |η| within 32 steps of it
+};
+
+/// Of a course, at(t) being {η, ϑ} and t never going back, looked at in steps from 0 to `until`. Precondition: step > 0
+template <class Course>
+Farthest farthest(Course at, double until, double step)
+{
+  std::vector<std::array<double, 2>> all;
+  for(int k = 0; k * step <= until; ++k)
+    all.push_back(at(k * step));
+  std::size_t best = 0;
+  for(std::size_t k{0}; k < all.size(); ++k)
+    if(std::abs(all[k][1]) > std::abs(all[best][1]))
+      best = k;
+  double P = 0;
+  for(std::size_t k = best - std::min<std::size_t>(best, 32); k < std::min(all.size(), best + 32); ++k)
+    P = std::max(P, std::abs(all[k][0]));
+  return {static_cast<double>(best) * step, std::abs(all[best][1]), P};
+}
 
 }  // namespace balance

@@ -432,6 +432,25 @@ const Full_state& Full_motion::to(double t)
   return inner_->now = {{x[0], x[1], x[2], x[3]}, {v[0], v[1], v[2], v[3]}};
 }
 
+double parting(const Suspended& s, const Full_state& start, double t)
+{
+  const double slight = 1e-9;
+  Full_state beside = start;
+  for(double* angle : {&beside.at.omega, &beside.at.eta, &beside.at.theta})
+    *angle += slight;
+  if(s.movable)
+    beside.at.phi += slight;
+  Full_motion one(s, start), other(s, beside);
+  double most = 1;
+  for(int k = 1; k <= 100; ++k)
+  {
+    const Four x = one.to(t * k / 100).at, y = other.to(t * k / 100).at;
+    most = std::max({most, std::abs(x.phi - y.phi) / slight, std::abs(x.omega - y.omega) / slight,
+                     std::abs(x.eta - y.eta) / slight, std::abs(x.theta - y.theta) / slight});
+  }
+  return most;
+}
+
 double Full_motion::energy_drift() const
 {
   const double change = std::abs(inner_->energy() - inner_->start_energy);

@@ -112,6 +112,10 @@ private:
   std::unique_ptr<Inner> inner_;
 };
 
+/// How many times a slight change of the angles at the start has grown until the time t, as parting() of motion.hpp tells
+/// it of the balance with C fixed. @throws as Full_motion does. Precondition: t ≥ 0
+double parting(const Suspended& s, const Full_state& start, double t);
+
 /// The energy in the instrument's weight times length, zero where all hangs straight down, and its shares.
 struct Energies
 {

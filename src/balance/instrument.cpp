@@ -4,8 +4,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-
-#include <Eigen/LU>
+#include <utility>
 
 namespace balance
 {
@@ -71,26 +70,39 @@ Five five_equations(const Instrument& x, const State<>& now)
   const bool finite = std::isfinite(at.omega + at.eta + at.theta + rate.omega + rate.eta + rate.theta);
   if(!(x.L > 0 && finite))
     throw std::domain_error("no such state: the pans must weigh something, the angles and rates be finite");
-  using elementary::cos;
-  using elementary::sin;
-  const auto [so, co] = elementary::sincos(at.omega);
-  const auto [se, ce] = elementary::sincos(at.eta);
-  const auto [st, ct] = elementary::sincos(at.theta);
-  const double G = 2 * x.g, a = x.a, b = x.b;
-  const double o2 = rate.omega * rate.omega, e2 = rate.eta * rate.eta, t2 = rate.theta * rate.theta;
-  // columns: ω̈, η̈, ϑ̈, P/L, Q/L; rows I to V, the second differentials of §6's coordinates put in
-  Eigen::Matrix<double, 5, 5> A;
-  Eigen::Matrix<double, 5, 1> right;
-  A << -a * so, b * ce, 0, G * se, 0,   //
-      -a * co, -b * se, 0, G * ce, 0,   //
-      -a * so, 0, -b * ct, 0, -G * st,  //
-      a * co, 0, -b * st, 0, G * ct,    //
-      x.M * (x.kk + x.c * x.c), 0, 0, G * x.L * a * cos(at.omega - at.eta),
-      -G * x.L * a * cos(at.theta - at.omega);
-  right << a * co * o2 + b * se * e2, G - a * so * o2 + b * ce * e2, a * co * o2 - b * st * t2,
-      G + a * so * o2 + b * ct * t2, -G * x.M * x.c * so;
-  const Eigen::Matrix<double, 5, 1> u = A.partialPivLu().solve(right);
-  return {{u[0], u[1], u[2]}, {u[3], u[4]}};
+  using exact::Fifty;
+  const auto [wide, speed] = widened(now);
+  const Fifty so = sin(wide.omega), co = cos(wide.omega), se = sin(wide.eta), ce = cos(wide.eta),
+              st = sin(wide.theta), ct = cos(wide.theta), o2 = speed.omega * speed.omega,
+              e2 = speed.eta * speed.eta, t2 = speed.theta * speed.theta;
+  const Fifty G = 2 * Fifty(x.g), a = x.a, b = x.b, La = G * x.L * a,
+              inertia = Fifty(x.M) * (Fifty(x.kk) + Fifty(x.c) * x.c), none = 0;
+  // columns: ω̈, η̈, ϑ̈, P/L, Q/L, right side; rows I to V, the second differentials of §6's coordinates put in
+  std::array<std::array<Fifty, 6>, 5> m{{
+      {-a * so, b * ce, none, G * se, none, a * co * o2 + b * se * e2},
+      {-a * co, -b * se, none, G * ce, none, G - a * so * o2 + b * ce * e2},
+      {-a * so, none, -b * ct, none, -G * st, a * co * o2 - b * st * t2},
+      {a * co, none, -b * st, none, G * ct, G + a * so * o2 + b * ct * t2},
+      {inertia, none, none, La * cos(wide.omega - wide.eta), -La * cos(wide.theta - wide.omega),
+       -G * x.M * x.c * so},
+  }};
+  for(std::size_t i = 0; i < 5; ++i)
+  {
+    std::size_t pivot = i;
+    for(std::size_t r = i; r < 5; ++r)
+      if(abs(m[r][i]) > abs(m[pivot][i]))
+        pivot = r;
+    std::swap(m[i], m[pivot]);
+    for(std::size_t r = 0; r < 5; ++r)
+      if(r != i)
+      {
+        const Fifty by = m[r][i] / m[i][i];
+        for(std::size_t k = i; k < 6; ++k)
+          m[r][k] -= by * m[i][k];
+      }
+  }
+  const auto u = [&m](std::size_t i) { return static_cast<double>(m[i][5] / m[i][i]); };
+  return {{u(0), u(1), u(2)}, {u(3), u(4)}};
 }
 
 }  // namespace balance

@@ -148,7 +148,8 @@ struct Five
 };
 
 /// Euler's five equations I–V with their five unknowns, solved together as they stand (by Gauss' elimination with
-/// pivots, Eigen's), without the Lagrangian: to 1e-13 for moderate instruments.
+/// pivots), without the Lagrangian. In fifty digits: of light beams the acceleration is a small difference of great
+/// moments. Each unknown is right to an ulp for exactly the doubles given.
 /// @throws std::domain_error as numbers_of() does, for L = 0, and where the state is not finite
 Five five_equations(const Instrument& instrument, const State<>& now);
 
