@@ -10,6 +10,7 @@
 #include "edition/compare.hpp"
 #include "exact/quadrature.hpp"
 #include "globe/ball.hpp"
+#include "globe/energy.hpp"
 #include "globe/gauss.hpp"
 #include "globe/time.hpp"
 
@@ -143,6 +144,20 @@ TEST_CASE("the angle at a time has that time")
   CHECK_THROWS_AS(separatrix_angle(0.1, 0.6, 690 * 0.6), std::domain_error);
   CHECK_THROWS_AS(separatrix_angle(0.1, 0.0, 1.0), std::domain_error);
   CHECK_THROWS_AS(separatrix_angle(0.1, 0.6, std::nan("")), std::domain_error);
+}
+
+TEST_CASE(
+    "whether the ball gets to a place is known to 45 digits, and to as many of what is lacking of the top")
+{
+  const Fifty right = exact::pi() / 2;
+  const Energy<Fifty> half = energy(Fifty(1) / 2), top = energy_from_top(Fifty("1e-300"));
+  CHECK(left_for_motion(half, place(right)) == 0);
+  CHECK(gets_to(half, place(Fifty(right - Fifty("1e-40")))));
+  CHECK(left_for_motion(half, place(Fifty(right - Fifty("1e-40")))) > 0);
+  CHECK_FALSE(gets_to(half, place(Fifty(right + Fifty("1e-40")))));
+  CHECK(gets_to(top, place_from_top(Fifty("3e-150"))));
+  CHECK_FALSE(gets_to(top, place_from_top(Fifty("1e-150"))));
+  CHECK(gets_to(energy(Fifty(1)), place_from_top(Fifty(0))));
 }
 
 TEST_CASE("a Gauss rule is exact below twice its nodes, and not at it")

@@ -83,7 +83,7 @@ TELL
   require(exact_h() <= 1e100 && exact_h() >= 1e-100, "zeta", "an h between 1e-100 and 1e100");
   const Energy<Fifty> e = energy(exact_h());
   const Place<Fifty> there = where.fifty();
-  require(there.s * there.s <= e.h, "Phi", "an angle that the ball gets to");
+  require(gets_to(e, there), where.psi == 0 ? "Phi" : "psi", "an angle that the ball gets to");
   const Fifty c_ = c.fifty(), k_ = k.fifty(), pressure = smooth::pressure(c_, k_, e, there);
   const Fifty w = sqrt(2 * g.fifty() * c_ * smooth::velocity_squared(c_, k_, e, there));
   tell("h", double(e.h), "the motion at the lowest place, as a part of what the top asks for");

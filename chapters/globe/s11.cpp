@@ -93,7 +93,7 @@ TELL
   const Fifty c_ = c.fifty(), kk = k.fifty() * k.fifty(), g_ = g.fifty();
   const Energy<Fifty> e = asked.fifty(c_, kk, g_);
   const Place<Fifty> there = where.fifty();
-  require(there.s * there.s <= e.h, "Phi", "an angle that the ball gets to");
+  require(gets_to(e, there), where.psi == 0 ? "Phi" : "psi", "an angle that the ball gets to");
   tell("energy", double(e.h), "h, the energy as a part of what the top asks for");
   tell("Gamma", double(c_ * (e.h - e.from_top)), feet, "Γ, the constant");
   tell("zeta_0", double(velocity_of_energy<Fifty>(c_, kk, g_, e)), Unit{"1/s"},

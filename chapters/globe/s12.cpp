@@ -86,7 +86,7 @@ TELL
   const Fifty c_ = c.fifty(), k_ = k.fifty(), g_ = g.fifty();
   const Energy<Fifty> e = asked.fifty(c_, k_ * k_, g_);
   const Place<Fifty> there = where.fifty();
-  require(there.s * there.s <= e.h, "Phi", "an angle that the ball gets to");
+  require(gets_to(e, there), where.psi == 0 ? "Phi" : "psi", "an angle that the ball gets to");
   require(e.h * c_ <= 1e100 && e.h * g_ <= 1e100, "h", "an energy below 1e100 over c and over g");
   const Parts now = parts(c_, k_, g_, e, there);
   const Fifty forwards = f.fifty() * f.fifty();

@@ -125,11 +125,6 @@ const auto asked = asked_energy(0.5);
 const auto where = asked_place(60_deg);
 const auto t = real("t", 0.3, seconds, closed(0, 1e100), "time since the lowest place");
 
-bool arrives(const Energy<Fifty>& e, const Place<Fifty>& there)
-{
-  return there.s * there.s <= e.h;
-}
-
 Fifty beyond()  // by how much h is greater than §20 allows
 {
   const Fifty r = k.fifty() / c.fifty();
@@ -151,7 +146,7 @@ TELL
   tell("below_top", e.from_top, "1 − h");
   tell("swing", 2 * quarter / second, seconds, "a single swing; where the ball turns over, a whole turn");
   tell("t_Phi",
-       arrives(e0, place0) ? smooth::time<double>(c, k, e, rounded(place0)) / second
+       gets_to(e0, place0) ? smooth::time<double>(c, k, e, rounded(place0)) / second
                            : std::numeric_limits<double>::infinity(),
        seconds, "from the lowest place to Φ");
   tell("Phi_t", turned.Phi, degrees, "the angle at the time t");

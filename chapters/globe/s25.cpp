@@ -70,44 +70,54 @@ const auto g = real("g", 15.625, feet, scale, "height fallen from rest in the fi
 const auto asked = asked_energy(3);
 const auto where = asked_place(60_deg);
 
-double rolling_velocity(const Ball<double>& ball, const Energy<double>& e, const Place<double>& at)  // (3)
+template <class Real>
+Real unit(const Ball<Real>& ball)  // one second in the measure of τ
 {
-  return std::sqrt(rolling::velocity_squared(ball, e, at)) * std::sqrt(2 * g) * std::sqrt(ball.c);
+  using std::sqrt;
+  return sqrt(2 * static_cast<Real>(g.fifty())) * sqrt(ball.c);
 }
 
-double rolling_acceleration(const Ball<double>& ball, const Energy<double>& e,
-                            const Place<double>& at)  // (C)
+template <class Real>
+Real rolling_velocity(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& at)  // (3)
 {
-  const double ac = 4 * ball.a * ball.c, D = bb(ball) + ac * at.s * at.s;
-  return 0 - 4 * g * (ball.c / D) * ((bb(ball) + ac * e.h) / D) * at.s * at.c;
+  using std::sqrt;
+  return sqrt(rolling::velocity_squared(ball, e, at)) * unit(ball);
 }
 
-double smooth_velocity(const Ball<double>& ball, const Energy<double>& e, const Place<double>& at)
+Fifty rolling_acceleration(const Ball<Fifty>& ball, const Energy<Fifty>& e, const Place<Fifty>& at)  // (C)
 {
-  return std::sqrt(smooth::velocity_squared(ball.c, ball.k, e, at)) * std::sqrt(2 * g) * std::sqrt(ball.c);
+  const Fifty ac = 4 * ball.a * ball.c, D = bb(ball) + ac * at.s * at.s;
+  return 0 - 4 * g.fifty() * (ball.c / D) * ((bb(ball) + ac * e.h) / D) * at.s * at.c;
+}
+
+template <class Real>
+Real smooth_velocity(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& at)
+{
+  using std::sqrt;
+  return sqrt(smooth::velocity_squared(ball.c, ball.k, e, at)) * unit(ball);
 }
 
 TELL
 {
-  const Ball<double> ball{a, c, k};
-  require_rolling(ball);
+  require_rolling({a, c, k});
   require(c <= 100 * k, "c", "at most a hundred times k");
-  const Energy<double> e = rounded(asked.rolling(a, c, k, g));
-  const Place<double> there = rounded(where.fifty());
-  require(there.s * there.s <= e.h, "Phi", "an angle that the ball gets to");
-  tell("energy", e.h, "h, the energy as a part of what the top asks for");
-  tell("C", e.h < 0.75 ? c * (2 * e.h - 1) : c * (e.h - e.from_top), feet, "Euler's constant C, by (B)");
-  tell("w_low", velocity_of_energy<double>(c, bb(ball), g, e), Unit{"1/s"}, "dΦ/dt at the lowest place");
-  tell("w", rolling_velocity(ball, e, there), Unit{"1/s"}, "dΦ/dt at Φ");
-  tell("turning", rolling_acceleration(ball, e, there), Unit{"1/s²"}, "ddΦ/dt² at Φ");
-  tell("w_end", e.turns_over() ? rolling_velocity(ball, e, {1, 0}) : 0., Unit{"1/s"},
+  const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+  const Energy<Fifty> e = asked.rolling(a, c, k, g);
+  const Place<Fifty> there = where.fifty();
+  require(gets_to(e, there), where.psi == 0 ? "Phi" : "psi", "an angle that the ball gets to");
+  tell("energy", double(e.h), "h, the energy as a part of what the top asks for");
+  tell("C", double(ball.c * (e.h - e.from_top)), feet, "Euler's constant C, by (B)");
+  tell("w_low", double(velocity_of_energy<Fifty>(ball.c, bb(ball), g.fifty(), e)), Unit{"1/s"},
+       "dΦ/dt at the lowest place");
+  tell("w", double(rolling_velocity(ball, e, there)), Unit{"1/s"}, "dΦ/dt at Φ");
+  tell("turning", double(rolling_acceleration(ball, e, there)), Unit{"1/s²"}, "ddΦ/dt² at Φ");
+  tell("w_end", e.turns_over() ? double(rolling_velocity(ball, e, {1, 0})) : 0., Unit{"1/s"},
        "dΦ/dt at the end of the way up");
-  tell("end", e.turns_over() ? std::numbers::pi : 2 * std::atan2(std::sqrt(e.h), std::sqrt(e.from_top)),
-       degrees, "and where that is");
-  const double up = std::hypot(a + c, k);
-  tell("top_share", (a + c) / up * ((a + c) / up), percent,
+  tell("end", e.turns_over() ? std::numbers::pi : double(2 * atan2(sqrt(e.h), sqrt(e.from_top))), degrees,
+       "and where that is");
+  tell("top_share", double(pow(ball.a + ball.c, 2) / BB(ball)), percent,
        "of the living force at the top, that of the progress");
-  tell("w_smooth", smooth_velocity(ball, e, there), Unit{"1/s"},
+  tell("w_smooth", double(smooth_velocity(ball, e, there)), Unit{"1/s"},
        "dΦ/dt at Φ on a smooth plane, with this h");
 }
 
@@ -204,6 +214,17 @@ CHECK_THAT("the equations of motion, followed from the lowest place, keep to (3)
             == within_relative(4 * g.fifty() * (C + ball.c * cos(Phi)), 1e-27, "the solver's bound"));
     }
   }
+}
+
+CHECK_THAT(
+    "where the ball turns back it has no velocity, and beyond it is not told of, however near the top")
+{
+  for(const Told& now : told_at("h=0.5 Phi=90", "h=0.25 Phi=60"))
+  {
+    CHECK(now.value("w", Unit{"1/s"}) == within(0, 0, "at rest"));
+    CHECK(now.value("w_smooth", Unit{"1/s"}) == within(0, 0, "at rest"));
+  }
+  CHECK(refused_at("from_top=1e-300 psi=1e-160"));
 }
 
 CHECK_THAT("the velocities told are (3) and the acceleration is that of the equations of motion")
