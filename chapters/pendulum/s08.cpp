@@ -345,12 +345,12 @@ CHECK_THAT("the table has the fractions of (6) and their squares")
   for(const Told& now : told_at(""))
   {
     const auto rows = now.rows("ladder");
-    const char* const fractions[] = {"1", "1/2", "3/8", "5/16", "35/128"};
+    const std::string fractions[] = {"1", "1/2", "3/8", "5/16", "35/128"};
     for(std::size_t i = 0; i < rows.size(); ++i)
     {
       CHECK(rows[i].value("power") == 2 * static_cast<int>(i));
       CHECK(rows[i].words("integral") == fractions[i]);
-      CHECK(Rational(rows[i].words("squared").c_str()) == pow(Rational(fractions[i]), 2));
+      CHECK(Rational(rows[i].words("squared").c_str()) == pow(Rational(fractions[i].c_str()), 2));
     }
   }
 }
