@@ -8,7 +8,7 @@ set xlabel "places of Gauss’s rule"
 set ylabel "relative error of the arc"
 set label "30°" at 3.6, 1e-11 right textcolor linetype 1
 set label "60°" at 8, 1e-11 left textcolor linetype 1
-set label "75°" at 17.5, 1e-9 left textcolor linetype 1
+set label "75°" at 16.6, 1e-9 left textcolor linetype 1
 set label "80°" at 24, 1e-7 left textcolor linetype 1
 plot tsv("tautochrone-31.errors") using "nodes":"e30" with lines linetype 1, \
      "" using "nodes":"e60" with lines linetype 1, \

@@ -66,6 +66,22 @@ TEST_CASE("the highest curve from stiff to tiny, at its end, half-way and near t
   }
 }
 
+TEST_CASE(
+    "the highest curve of a body however small, up to where it ends, is Euler's with both corrections")
+{
+  for(const double k : {1e-9, 1e-6, 1e-4})
+    for(const double phi : {1e-9, 0.5, 1.0, 1.55})
+    {
+      const Fifty c = cos(Fifty(phi)), kk = Fifty(k) * k;
+      const Fifty r = c - kk * (1 - pow(c, 4)) / pow(c, 3) - 6 * kk * kk * (1 - c * c) / pow(c, 7);
+      if(kk <= Fifty("1e-6") * pow(c, 4))
+        CHECK(at(Member::highest, k, phi).r == within_relative(r, 1e-14, "the library's bound"));
+    }
+  for(const double k : {0.0009, 0.0011})  // on both sides of the seam
+    CHECK(at(Member::highest, k, 0.2).r
+          == within_relative(highest(Fifty(k), Fifty(0.2)), 1e-14, "its bound"));
+}
+
 TEST_CASE("the widest curve, which leaves Euler's half-way up")
 {
   for(const double k : {0.1, 0.3, 0.9})
