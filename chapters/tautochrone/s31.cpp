@@ -3,11 +3,17 @@
 
 #include <gsl/gsl_integration.h>
 
+#include "edition/scene.hpp"
 #include "edition/section.hpp"
+#include "exact/ode.hpp"
 #include "exact/quadrature.hpp"
 #include "tautochrone/asked.hpp"
+#include "tautochrone/curve.hpp"
 #include "tautochrone/euler.hpp"
+#include "tautochrone/member.hpp"
+#include "tautochrone/scene.hpp"
 #include "tautochrone/series.hpp"
+#include "tautochrone/swing.hpp"
 
 SECTION(tautochrone, 31, "Arc, height and breadth as integrals")
 
@@ -109,6 +115,119 @@ TELL
 }
 
 /*!
+What the curve is for, a scene shows. Three equal bodies are let go together at the angle $\varphi_0$ of the
+thread, on Huygens's cycloid, on Euler's curve with both corrections, and on the highest exact tautochrone of
+{{sec tautochrone.25}}. On the last the root of the height goes as the cosine of the time, whatever
+$\varphi_0$ is; on the others the time is summed ({{api tautochrone::Timed_swing}}).
+*/
+
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second, half of today's g");
+const auto K = real("K", 0.3, none, closed(0.02, 0.9), "k/a of the three bodies of the scene");
+const auto phi0 = angle("phi0", 45_deg, closed(1_deg, 80_deg), "angle at which they are let go");
+
+constexpr int swings = 10, of_a_swing = 60;  // frames
+
+std::vector<Drawn> on_exact_curve()  // from the lowest place to φ₀, at even times
+{
+  const double root = std::sqrt(at(Member::highest, K, phi0).x);
+  std::vector<double> angles;
+  double guess = phi0;
+  for(int i = 1; i < of_a_swing / 2; ++i)
+  {
+    const double wanted = root * std::cos(std::numbers::pi * i / of_a_swing);
+    for(int step = 0; step < 5; ++step)
+    {
+      const Position now = at(Member::highest, K, guess);
+      guess -= (std::sqrt(now.x) - wanted) * 2 * std::sqrt(now.x) / (now.r * std::sin(guess));
+    }
+    angles.insert(angles.begin(), guess);
+  }
+  angles.insert(angles.begin(), 0.);
+  angles.push_back(phi0);
+  return tautochrone::drawn(Member::highest, K, angles);
+}
+
+bool euler_rises()
+{
+  return phi0 < largest_amplitude(Cheeks::euler_k4, K);
+}
+
+bool exact_rises()
+{
+  return phi0 <= end(Member::highest, K).phi;
+}
+
+TELL
+{
+  tell("missing",
+       euler_rises()   ? exact_rises() ? "none" : "the exact curve"
+       : exact_rises() ? "Euler's curve"
+                       : "Euler's curve, the exact curve",
+       "which of the curves do not rise to φ₀");
+  tell("huygens_late", excess(Cheeks::cycloids, K, phi0), percent, "a swing on the cycloid is longer by");
+  if(euler_rises())
+    tell("euler_late", excess(Cheeks::euler_k4, K, phi0), percent, "a swing on Euler's curve is longer by");
+}
+
+TELL
+{
+  struct Way
+  {
+    std::string name, colour;
+    std::function<std::vector<double>(int)> at;  // φ, and the place from the lowest one
+  };
+  const double T = small_swing(K), unit = clock_in_seconds(a, g);
+  const auto summed_way = [T](Cheeks cheeks, double ratio) {
+    return [swing = Timed_swing(cheeks, K, phi0), T, ratio](int i) -> std::vector<double> {
+      const double here = swing.angle(T * i / of_a_swing);
+      return {here, euler_y<double>(1, ratio, here), euler_x<double>(1, ratio, here)};
+    };
+  };
+  std::vector<Way> ways{{"huygens", "green", summed_way(Cheeks::cycloids, 0)}};
+  if(euler_rises())
+    ways.push_back({"euler", "vermilion", summed_way(Cheeks::euler_k4, K)});
+  if(exact_rises())
+    ways.push_back({"exact", "blue", [places = on_exact_curve()](int i) -> std::vector<double> {
+                      const int down = of_a_swing / 2 - i % of_a_swing;
+                      const Drawn& now = places.at(static_cast<std::size_t>(std::abs(down)));
+                      const double side = (i / of_a_swing % 2 == 0) == (down >= 0) ? 1 : -1;
+                      return {side * now.at.phi, side * now.y, now.at.x};
+                    }});
+  std::vector<Body> bodies;
+  std::vector<std::string> columns{"t"};
+  for(const Way& way : ways)
+  {
+    columns.insert(columns.end(), {way.name + "_phi", way.name + "_x", way.name + "_y"});
+    bodies.push_back(drawn::trail({way.name + "_x", way.name + "_y"}, way.colour));
+  }
+  for(const Way& way : ways)
+    bodies.push_back(drawn::bob({way.name + "_x", way.name + "_y"}, 0.025, way.colour));
+  scene("three", bodies, columns, [&](Curve& frames) {
+    for(int i = 0; i <= swings * of_a_swing; ++i)
+    {
+      std::vector<double> row{unit * T * i / of_a_swing};
+      for(const Way& way : ways)
+      {
+        const auto place = way.at(i);
+        row.insert(row.end(), place.begin(), place.end());
+      }
+      frames.put(row);
+    }
+  });
+}
+
+/*!
+::: scene three
+alt: Three bobs at the same height on the right, on three curves that differ little: valleys open upwards,
+drawn in three colours.
+
+Ten swings in true time: blue on the exact tautochrone, green on Huygens's cycloid, red on Euler's curve; the
+length is $a$, the bodies have $k = K a$. At {{phi0|deg0}}, with $K = {{K}}$, a swing on the cycloid is longer
+by {{huygens_late|percent1}}, on Euler's curve by {{euler_late|percent1}}: that is where his series has ceased
+to help. From 25° the red one keeps with the blue one to a hundredth of a swing. A curve that does not rise to
+$\varphi_0$ is missing.
+:::
+
 With $k = \tfrac1{10}a$, at {{phi|deg0}}, the arc is {{z|12}}; {{nodes}} places give {{z_by_rule|12}}.
 
 ::: figure tautochrone-31
@@ -180,6 +299,102 @@ CHECK_THAT("arc, height and breadth told are the sums of r dφ, of r dφ sin φ 
     CHECK(now.method("z", "finite terms")
           == within(summed(ratio, phi.fifty(), one), sizes(k / a) * 1e-14, why));
   }
+}
+
+Fifty height_on_exact(const Fifty& r, const Fifty& to)  // the first integral of the flow
+{
+  const Fifty kk = pow(K.fifty(), 2);
+  return (1 + kk) / 2 * pow(r * sin(to), 2) / (kk + r * r);
+}
+
+Fifty breadth_on_exact(const Fifty& to)  // ∫ r dφ cos φ, followed down the equation of §25 with r
+{
+  const Fifty near("1e-7"), ratio = K.fifty();
+  if(to < near)
+    return to;
+  const auto down = [&](const Fifty& x, const exact::State& y) -> exact::State {
+    return {slope<Fifty>(x, y[0], ratio), y[0] * cos(x)};
+  };
+  return near - exact::solve(down, to, {highest(ratio, to), 0}, near, Fifty("1e-16")).y[1];
+}
+
+CHECK_THAT("Huygens's body and Euler's move as their equations of motion say, on their curves")
+{
+  for(const Told& now : told_at("", "K=0.1 phi0=60 a=2", "K=0.7 phi0=15 g=1", "K=0.3 phi0=60"))
+  {
+    const Fifty unit = sqrt(a.fifty() / g.fifty()) / 2, start = phi0.fifty(), ratio = K.fifty();
+    const double slack = 1e-13 * phi0;
+    const char* const why = "ten swings, and the clock's bound at each";
+    const auto frames = now.points("three", 9);
+    std::vector<Fifty> times;
+    for(const auto& frame : frames)
+      times.push_back(frame.at("t") / unit);
+    for(const std::string name : {"huygens", "euler"})
+    {
+      if(name == "euler" && !(truncated(2, ratio)(cos(start)) > 0))
+        continue;
+      const auto r = truncated(name == "euler" ? 2 : 0, ratio);
+      const auto angles = angles_by_motion(r, ratio, start, times);
+      for(std::size_t i = 0; i < frames.size(); ++i)
+      {
+        const Fifty here = angles.at(i);
+        const auto along = [&](const Fifty& x) -> Fifty { return r(cos(x)) * cos(x); };
+        const auto up = [&](const Fifty& x) -> Fifty { return r(cos(x)) * sin(x); };
+        const auto from_lowest = [&](const auto& f) { return exact::integrate(f, 0, here).value; };
+        CHECK(frames[i].value((name + "_phi").c_str()) == within(here, slack, why));
+        CHECK(frames[i].value((name + "_x").c_str()) == within(from_lowest(along), slack, why));
+        CHECK(frames[i].value((name + "_y").c_str()) == within(from_lowest(up), slack, why));
+      }
+    }
+  }
+}
+
+CHECK_THAT("the third body is on the exact curve, and the root of its height is a cosine of the time")
+{
+  for(const Told& now : told_at("", "K=0.1 phi0=60 a=2", "K=0.7 phi0=15 g=1"))
+  {
+    const Fifty ratio = K.fifty(), kk = ratio * ratio, start = phi0.fifty();
+    const Fifty T = exact::pi() * sqrt((1 + kk) * a.fifty() / (2 * g.fifty()));
+    const Fifty root = sqrt(height_on_exact(highest(ratio, start), start));
+    for(const auto& frame : now.points("three", 4))
+    {
+      const Fifty t = frame.at("t"), cosine_of_t = cos(exact::pi() * t / T), here = frame.at("exact_phi");
+      const Fifty to = abs(here), r = to > 1e-10 ? highest(ratio, to) : Fifty(1);
+      const Fifty off = sqrt(height_on_exact(r, to)) - abs(root * cosine_of_t);
+      const Fifty right = to - off * sqrt(2 * (1 + kk) / (kk + r * r));
+      const Fifty side = cosine_of_t < 0 ? -1 : 1;
+      CHECK(frame.value("t") == between(0, 10.0001 * T, "ten swings"));
+      CHECK(frame.value("exact_phi")
+            == within(side * right, 1e-12, "the curve's error below 1e-13, and roots"));
+      CHECK(frame.value("exact_y")
+            == within(pow(root * cosine_of_t, 2), 1e-12, "the same, and that the time is rounded"));
+      CHECK(frame.value("exact_x") == within(side * breadth_on_exact(to), 1e-12, "the same"));
+    }
+  }
+}
+
+CHECK_THAT("which curves rise to φ₀, and by how much the swings on them are too long, in fifty digits")
+{
+  for(const Told& now :
+      told_at("", "K=0.1 phi0=60", "K=0.7 phi0=15", "K=0.3 phi0=60", "K=0.02 phi0=80", "K=0.2 phi0=59"))
+  {
+    const Fifty start = phi0.fifty(), ratio = K.fifty();
+    const bool euler = truncated(2, ratio)(cos(start)) > 0, exact_ = start < highest_end(ratio).phi;
+    const std::string missing_ = euler && exact_ ? "none"
+                                 : euler         ? "the exact curve"
+                                 : exact_        ? "Euler's curve"
+                                                 : "Euler's curve, the exact curve";
+    CHECK(now.value("missing") == missing_);
+    const char* const why = "the library's bound, and that K and φ₀ are rounded";
+    CHECK(now.value("huygens_late", percent)
+          == within_relative(excess(truncated(0, 0), ratio, start), 1e-13, why));
+    if(euler)
+      CHECK(now.value("euler_late", percent)
+            == within_relative(excess(truncated(2, ratio), ratio, start), 1e-12, why));
+  }
+  for(const Told& now : told_at("phi0=25"))
+    CHECK(now.value("euler_late", percent)
+          == between(0, 0.001, "no more than a hundredth of a swing in ten"));
 }
 
 double missed(int n, double ratio, double to)  // what Gauss's rule with n places may miss, for a = 1

@@ -82,6 +82,27 @@ Fifty turning2_by_motion(const Fifty& k, const Fifty& phi0, const Fifty& phi)
   return turning2_by_motion(exact::Laurent<Fifty>(Fifty(1), 1), k, phi0, phi);
 }
 
+std::vector<Fifty> angles_by_motion(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& phi0,
+                                    const std::vector<Fifty>& times)
+{
+  if(!(k >= 0 && k <= Fifty("1e20") && phi0 > 0 && phi0 < exact::pi() / 2))
+    throw std::domain_error("angles_by_motion: a k from 0 to 1e20 and 0 < φ₀ < ½π are needed");
+  const exact::Laurent<Fifty> dr = derivative(r);  // with respect to cos φ
+  // Followed are φ/φ₀ and its velocity in the time √(2(1 + kk)), so that both are of the size of one.
+  const Fifty unit = sqrt(2 * (1 + k * k));
+  const auto motion = [&](const Fifty&, const exact::State& y) -> exact::State {
+    const Fifty s = sin(phi0 * y[0]), c = cos(phi0 * y[0]), w = phi0 * y[1] / unit, radius = r(c);
+    return {y[1],
+            unit * unit / phi0 * s * radius * (dr(c) * w * w - Fifty(0.5)) / (k * k + radius * radius)};
+  };
+  std::vector<Fifty> scaled, angles;
+  for(const Fifty& t : times)
+    scaled.push_back(t / unit);
+  for(const exact::Solution& at : exact::solve(motion, 0, {1, 0}, scaled, Fifty("1e-20")))
+    angles.push_back(at.y[0] * phi0);
+  return angles;
+}
+
 Accelerations accelerations(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& turning2,
                             const Fifty& phi)
 {

@@ -5,6 +5,7 @@
 #include "exact/series.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace tautochrone
 {
@@ -42,6 +43,16 @@ exact::Fifty turning2_by_motion(const exact::Fifty& k, const exact::Fifty& phi0,
 exact::Fifty turning2_by_motion(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
                                 const exact::Fifty& phi0, const exact::Fifty& phi);
 
+/**
+ * φ of a body that is let go at rest at φ₀ on any such curve, at times after that, which must grow, by
+ * following its equation of motion (kk + rr)φ" + rr'φ'φ' = −½r sin φ; a = 1, Euler's clock. The error grows
+ * with every swing, below 1e-16 φ₀ for some ten.
+ * @throws std::domain_error unless 0 ≤ k ≤ 1e20 and 0 < φ₀ < ½π
+ */
+std::vector<exact::Fifty> angles_by_motion(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
+                                           const exact::Fifty& phi0,
+                                           const std::vector<exact::Fifty>& times);
+
 /// How a body on a wound thread is accelerated, a = 1 and g = ½; see accelerations().
 struct Accelerations
 {
@@ -51,10 +62,10 @@ struct Accelerations
 };
 
 /**
- * The accelerations of a body that turns with (dφ/dt)² = turning2 at the angle φ, by d'Alembert's principle: the
- * body is two equal weights, k above G and k below it, each of which is accelerated as its place on the line MG
- * demands; what is wanting to gravity does no work when the line is moved. It knows nothing of Z, of P and of the
- * equations of §§14 to 17. Good to 1e-40 of themselves. Domain: k ≥ 0, |φ| < ½π, r(cos φ) > 0.
+ * The accelerations of a body that turns with (dφ/dt)² = turning2 at the angle φ, by d'Alembert's principle:
+ * the body is two equal weights, k above G and k below it, each of which is accelerated as its place on the
+ * line MG demands; what is wanting to gravity does no work when the line is moved. It knows nothing of Z, of
+ * P and of the equations of §§14 to 17. Good to 1e-40 of themselves. Domain: k ≥ 0, |φ| < ½π, r(cos φ) > 0.
  */
 Accelerations accelerations(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
                             const exact::Fifty& turning2, const exact::Fifty& phi);

@@ -114,9 +114,19 @@ Posture<Real> on_circle(const Real& phi0, const Real& phi)
   return {sin(phi), cos(phi), Real(1), Real(0), 2 * sin((phi0 - phi) / 2) * sin((phi0 + phi) / 2)};
 }
 
+/// (c − x)/(cos²φ − cos²φ₀) between Euler's cheeks with one or two corrections, from e = 1/cos²φ and e₀: the
+/// divided difference of x in cos²φ. Domain: k ≥ 0, e and e₀ ≥ 1. Rounding: a few ulps of the terms.
+template <class Real>
+Real rise_of_euler(int corrections, const Real& k, const Real& e0, const Real& e)
+{
+  const Real kappa = k * k, square = corrections == 2 ? Real(kappa * kappa) : Real(0);
+  const Real down = kappa / 2 + square * (e0 * e0 + e0 * e + e * e - Real(3) / 2 * (e0 + e));
+  return (1 + kappa) / 2 - e * e0 * down;
+}
+
 /**
- * A place of a swing out to φ₀ between Euler's cheeks with one or two corrections (§30). c − x is a product of
- * two sines and a divided difference of x, which is a polynomial in cos²φ and its inverse.
+ * A place of a swing out to φ₀ between Euler's cheeks with one or two corrections (§30). c − x is a product
+ * of two sines and a divided difference of x, which is a polynomial in cos²φ and its inverse.
  *
  * Domain: k ≥ 0, 0 ≤ |φ| ≤ φ₀, and φ₀ before the end of the curve, where r > 0. In double r, the shortening
  * and c − x err by less than 1e-14 of the sum of their terms' sizes.
@@ -128,10 +138,9 @@ Posture<Real> on_euler(int corrections, const Real& k, const Real& phi0, const R
   const Real s = sin(phi), c = cos(phi), c0 = cos(phi0);
   const Real e = 1 / (c * c), e0 = 1 / (c0 * c0), t = s * s * e;
   const Real kappa = k * k, square = corrections == 2 ? Real(kappa * kappa) : Real(0);
-  const Real down = kappa / 2 + square * (e0 * e0 + e0 * e + e * e - Real(3) / 2 * (e0 + e));
   return {s, c, c * (1 - t * (kappa * (2 + t) + 6 * square * e * e * e)),
           1 + kappa * (1 + 3 * e * e) + square * e * e * e * (12 + 42 * t),
-          sin(phi0 - phi) * sin(phi0 + phi) * ((1 + kappa) / 2 - e * e0 * down)};
+          sin(phi0 - phi) * sin(phi0 + phi) * rise_of_euler(corrections, k, e0, e)};
 }
 
 /// A place of a swing out to φ₀, whatever leads the thread: the one of the three above. Domain: theirs.
