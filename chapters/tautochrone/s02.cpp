@@ -2,6 +2,8 @@
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/euler.hpp"
 #include "tautochrone/path.hpp"
+#include "tautochrone/scene.hpp"
+#include "tautochrone/scene_judge.hpp"
 #include "tautochrone/swing.hpp"
 
 SECTION(tautochrone, 2, "What Huygens proved, and of what pendulum")
@@ -95,6 +97,11 @@ TELL
   });
 }
 
+TELL
+{
+  scene_between_cheeks("swing", Cheeks::cycloids, 0, phi0, in_seconds(1));
+}
+
 /*!
 All swings of the table take {{T|12}} s, narrow and wide alike; in a circle they do not.
 
@@ -107,6 +114,14 @@ cycloid, open upwards.
 
 The cheeks, the thread in five positions, and the cycloid of the bob. Where the thread leaves the cheek it
 touches it; there is the centre about which the bob turns.
+:::
+
+::: scene swing
+alt: Two half cycloids meet in a cusp at the top. A thread leaves the right one, straight, down to a bob on a
+larger cycloid, open upwards.
+
+The same in its true time, one swing to and fro: only the free part of the thread is drawn in blue, what lies
+on the cheek is hidden by it. However far the bob is let go, it is back after $2T$.
 :::
 
 ## Checks
@@ -122,6 +137,18 @@ CHECK_THAT("all swings take the time π√(2a)/√(4g), from the narrowest to ne
     for(const auto& row : now.rows("swings"))
       CHECK(row.value("cycloid", seconds) == within_relative(T, 1e-15, "the same"));
   }
+}
+
+CHECK_THAT("the scene shows the bob where its equation of motion takes it, on a thread of the length a")
+{
+  for(const Told& now : told_at("", "phi0=89.9 a=2", "phi0=20 g=1"))
+    for(const Judged_frame& frame :
+        judged(now.points("swing", 9), Cheeks::cycloids, 0, phi0.fifty(), sqrt(a.fifty() / g.fifty()) / 2))
+    {
+      CHECK(frame.told.value("t") == within_relative(frame.t, 1e-14, "the clock's bound"));
+      for(const auto& [column, right] : frame.right)
+        CHECK(frame.told.value(column.c_str()) == within(right, frame.slack, Judged_frame::because));
+    }
 }
 
 /*!
