@@ -183,3 +183,26 @@ const Emendation urged{"§7, what gravity does to the pans",
                        {"they are urged downward with the force L", 1},
                        "a pan that hangs at rest is pulled up by L and must not move",
                        [](double weight) { return weight - 1 == within(0, 0, "II with P = L, η = 0"); }};
+
+/*!
+## Go on from here
+
+::: exercise
+The beam is level and at rest, both strings hang straight, and P passes its lowest place at 3 radians a
+second. By how much does its string pull more than the weight? And were the beam as heavy as a house?
+answer: With a beam that cannot yield by $b\dot\eta^2:2g$, here the whole weight once more. The beam given
+yields, and spares the string the part $\rho = Laa:(M(kk+cc)+2Laa)$ of it: 0.69 remain.
+:::
+*/
+
+CHECK_THAT("at its lowest place a pan pulls with its weight and the part 1 − ρ of its turning")
+{
+  for(const Told& now : told_at("omega=0 eta=0 theta=0 omega_rate=0 eta_rate=3 theta_rate=0",
+                                "omega=0 eta=0 theta=0 omega_rate=0 eta_rate=3 theta_rate=0 M=1e6"))
+  {
+    const Fifty turning = b.fifty() * 9 / (2 * g.fifty()), Laa = L.fifty() * a.fifty() * a.fifty(),
+                I = M.fifty() * (k.fifty() * k.fifty() + c.fifty() * c.fifty()) + 2 * Laa;
+    CHECK(now.value("P") == within_relative(1 + (1 - Laa / I) * turning, 1e-14, "some roundings"));
+    CHECK(now.value("P") == (M > 5 ? between(1.9999, 2, "a house") : between(1.685, 1.695, "0.69 more")));
+  }
+}

@@ -280,3 +280,29 @@ const Emendation angle_at_A{
       return std::sin(angle) == within(cos(Fifty(0.2) - Fifty(0.3)), 1e-15, "a sine")
              && angle == between(90_deg, 180_deg, "η is greater than ω");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+Beam and both strings are inclined by the same angle, however great, and let go. How does the beam begin to
+move?
+answer: As the simple pendulum of the length $f = (M(kk+cc)+2Laa):Mc$ would from that angle, exactly. The
+strings stand at right angles to the beam, so that the pans go along with $A$ and $B$ as if they were fixed to
+them.
+:::
+*/
+
+CHECK_THAT(
+    "let go with strings at right angles to it, the beam begins as the pendulum f does, at any angle")
+{
+  for(const Told& now : told_at("omega=10 eta=10 theta=10 omega_rate=0 eta_rate=0 theta_rate=0",
+                                "omega=60 eta=60 theta=60 omega_rate=0 eta_rate=0 theta_rate=0 L=9 b=0.5"))
+  {
+    const Fifty I =
+        M.fifty() * (k.fifty() * k.fifty() + c.fifty() * c.fifty()) + 2 * L.fifty() * a.fifty() * a.fifty();
+    CHECK(now.value("omega_dd", Unit{"1/s²"})
+          == within_relative(-2 * g.fifty() * M.fifty() * c.fifty() / I * sin(omega.fifty()), 1e-13,
+                             "the options' rounding"));
+  }
+}

@@ -311,3 +311,29 @@ const Erratum beam_at_rest{
       }
       return reading == within(most / 1_deg * 60, 0.05, "the digit given");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+How heavy may the pans of Euler's example be at the most, if one that swings alone is not to wake the other?
+Does it help to let it swing half as wide?
+answer: By {{eq B}} one pan's share in the inertia may be 35 parts in 288, whatever the swing. Half the swing
+only makes the waking four times as slow.
+:::
+*/
+
+CHECK_THAT(
+    "the threshold in the example is 35/288 at any swing, and half the swing wakes four times as slowly")
+{
+  double wide = 0;
+  for(const Told& now : told_at("n=10", "n=5"))
+  {
+    CHECK(now.value("threshold") == within_relative(Fifty(35) / 288, 1e-14, "(B)"));
+    const Lone_pan alone = lone_pan(given(), n);
+    if(n > 6_deg)
+      wide = alone.growth;
+    else
+      CHECK(4 * alone.growth == within_relative(wide, 1e-14, "a square"));
+  }
+}

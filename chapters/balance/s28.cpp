@@ -150,3 +150,24 @@ const Erratum pans_at_rest{
       }
       return reading == within(most / 1_deg * 60, 0.005, "the digits given");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+Let μ be 2λ. After what time would the pans swing as wide as the beam by {{eq A}}, and why do they not get so
+far?
+answer: After $t = 4b:a\lambda m$, 48 s in the example. But what they gain the beam loses: after 20 s they
+stand at 2.0° where {{eq A}} has 3.0°.
+:::
+*/
+
+CHECK_THAT("at μ = 2λ the pans fall behind (A) after twenty seconds")
+{
+  CHECK(4 / (0.5 / 6) == within(48, 1e-12, "a quotient"));
+  for(const Told& now : told_at("mu=2 t=20"))
+  {
+    CHECK(now.value("eta", degrees) == between(-2.05_deg, -1.95_deg, "2.0°"));
+    CHECK(now.value("eta_second", degrees) == between(-3.05_deg, -2.95_deg, "3.0°"));
+  }
+}

@@ -209,3 +209,27 @@ const Emendation sixth{
     [](double reading) {
       return reading > 0 && reading * reading / 4 / 5 == within_ulps(Fifty(1) / 720, 3, "three roundings");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+Let Q hang at rest at first, $n' = 0$. Which tones has it by Euler, and which in truth, to the second order?
+answer: By him none. In truth two of the same strength $F = \tfrac1{360}$, against each other, at μ and at 2λ;
+so that it begins at rest and soon does not remain so.
+:::
+*/
+
+CHECK_THAT("a pan at rest has by Euler no tones, complete two of 1/360")
+{
+  for(const Told& now : told_at("n1=0"))
+  {
+    const Fifty F = Fifty(1) / 360, right[]{0, -F, 0, F};
+    const auto rows = now.rows("tones");
+    for(std::size_t k{0}; k < 4; ++k)
+    {
+      CHECK(rows[k].value("theta_by_him") == within(0, 0, "nothing"));
+      CHECK(rows[k].value("theta") == within(right[k], 1e-17, "one rounding"));
+    }
+  }
+}

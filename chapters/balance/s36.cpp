@@ -597,3 +597,25 @@ The number that can hardly be greater has lost its letter in our copy. It must b
 {{sec balance.34}} makes the measure of the irregularity. But his own balance there has a greater one, before
 he rounds it down.
 */
+
+/*!
+## Go on from here
+
+::: exercise
+At λt = 45° the slower of the two tones is at zero. What does the row of that moment look like, and what can
+be read off it?
+answer: `--lambda_t 45`: ω 7° 4′, η −7° 1′, ϑ −7° 8′. The pans stand 7′ apart, which is twice the last
+fraction, 3 4/7′ with $\tfrac1{1008}$; with Euler's $\tfrac1{1080}$ P would have the same minute.
+:::
+*/
+
+CHECK_THAT("the row at 45° has the last fraction alone")
+{
+  for(const Told& now : told_at("lambda_t=45"))
+  {
+    CHECK(now.value("row_omega") == std::string("7°\u202f4′"));
+    CHECK(now.value("row_eta") == std::string("−7°\u202f1′"));
+    CHECK(now.value("row_theta") == std::string("−7°\u202f8′"));
+  }
+  CHECK(std::lround(pan(1, 45_deg, by_1080)) == -421);
+}

@@ -121,3 +121,20 @@ CHECK_THAT("the frequencies are the roots of (A), and σ − μ their difference
     }
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+How low must $A$ and $B$ lie in this balance if the exchange is to take no longer than {{balance.38.time|4}}
+s, as with the moving pivot of {{sec balance.38}}? Is that a small change?
+answer: About 0.64 ft, since the time goes nearly as $1:ee$: a third of the arm. No maker would overlook it.
+:::
+*/
+
+CHECK_THAT("A and B must lie some 0.64 ft lower for an exchange in 15.7 seconds")
+{
+  for(const Told& now : told_at("e=0.62", "e=0.66"))
+    CHECK(now.value("time", seconds)
+          == (e < 0.64 ? between(15.71, 17, "not yet") : between(14, 15.7, "by then")));
+}
