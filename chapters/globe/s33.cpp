@@ -4,6 +4,8 @@
 #include "globe/asked.hpp"
 #include "globe/oracle.hpp"
 #include "globe/rolling.hpp"
+#include "globe/scene.hpp"
+#include "globe/scene_judge.hpp"
 #include "globe/smooth.hpp"
 
 SECTION(globe, 33, "The two fast cases with friction, and a rule put right")
@@ -228,6 +230,14 @@ TELL
   });
 }
 
+TELL
+{
+  const Ball<double> ball{a, c, k};
+  const Energy<double> e = rounded(energy(Fifty(n.fifty() * n.fifty() / 2)));
+  if(can_be_seen(ball, e.h))
+    scene_of_ball("fast_turning", rolling_motion(ball, g, e));
+}
+
 /*!
 With $n = 4$ our ball takes {{turn|6}} seconds for a turn; the rule gives {{turn_rule|6}}, {{eq B}} gives
 {{turn_right|6}}. With just the velocity for the top it takes {{top|6}} seconds for the first right angle, by
@@ -247,6 +257,14 @@ one; the lower one, steeper, has the slope two.
 
 Case II: error as a part of the time to the place asked for, against $c$: of the rule (red) and of {{eq D}}
 (blue). The rule errs in the first order of $c$, {{eq D}} in the second.
+:::
+
+::: scene fast_turning
+alt: A ball on a level line with its centre of gravity just below the centre; a grey wave is the way of that
+point.
+
+The fast case in true time: two turns with {{n}} for $n$, from the lowest place, as far as the plane bears the
+ball. A smaller $n$ makes the turning more uneven.
 :::
 
 ## Speed against error
@@ -376,6 +394,34 @@ CHECK_THAT(
       const Fifty most = sqrt(2 * (rolls ? loss : off));
       CHECK(least(most * Fifty("0.9999"), rolls) > 0);
       CHECK(least(most * Fifty("1.0001"), rolls) < 0);
+    }
+  }
+}
+
+CHECK_THAT("the scene is the rolling ball as the equation of §9 has it, as long as the plane bears it")
+{
+  for(const Told& now : told_at("", "n=1.6 c=0.5 k=0.5 a=2", "n=9 c=0.9 k=0.3 g=3"))
+  {
+    const Asked it = asked_now();
+    const Fifty w = sqrt(4 * g.fifty() * it.ball.c * it.nn) / it.b;
+    const auto frames = now.points("fast_turning", 7);
+    for(const auto& frame : judged(frames, Plane::rough, it.ball, g.fifty(), 0, w))
+    {
+      CHECK(frame.told.value("t") == between(frame.earliest, frame.latest, "in their order"));
+      CHECK(frame.pressure == between(-1e-9, infinity, "the plane bears it, to the last frame"));
+      CHECK(frame.told.value("Phi") == within(frame.Phi, frame.slack, Judged_ball::because));
+      CHECK(frame.told.value("C_x") == within(frame.C_x, frame.slack, Judged_ball::because));
+      CHECK(frame.told.value("G_x") == within(frame.G_x, frame.slack, Judged_ball::because));
+      CHECK(frame.told.value("G_y") == within(frame.G_y, frame.slack, Judged_ball::because));
+    }
+    const Fifty last = frames.back().at("Phi");
+    if(last < 6)  // before one turn: the plane bears nothing there
+    {
+      const auto& [a_, c_, k_] = it.ball;
+      const Fifty over = 4 * g.fifty() * c_ * (it.nn - (1 - cos(last)));
+      const Fifty ww = over / (a_ * a_ + c_ * c_ + k_ * k_ - 2 * a_ * c_ * cos(last));
+      CHECK(rolling_accelerations<Fifty>(it.ball, g.fifty(), last, sqrt(ww)).pressure
+            == within(0, 1e-9, "the angle, many times w"));
     }
   }
 }
