@@ -13,6 +13,10 @@ const katex = packages('katex');
 
 export { escape };
 
+/** A function's name set as though it were a product of letters, as KaTeX's MathML then says; and what is said of it. */
+export const asProduct = /\\mathrm\{[a-z]{2,}\}/;
+export const productSaid = "a function's name is \\operatorname{…}; with \\mathrm it is read as a product of its letters";
+
 /**
  * KaTeX, remembered by content in a file: a formula that was set once is not set again. What the weaver has put into
  * a formula (names of told numbers, signs of the apparatus) is not in the TeX that a reader copies.
@@ -227,7 +231,7 @@ export class Page {
     }
   }
 
-  /** Numbers typed where a told one has the same digits; bars that would end a table's cell. */
+  /** Numbers typed where a told one has the same digits; bars that would end a table's cell; functions set as products. */
   judge(text) {
     const lines = text.split('\n');
     let cells = 0;
@@ -243,6 +247,7 @@ export class Page {
           'a table row with more or fewer cells than its head: a bar in code or in a formula is written \\| (or \\vert)',
         );
       cells = row ? cells || bars : 0;
+      if (asProduct.test(line)) this.fault(this.line + i, productSaid);
       for (const [typed, name] of handTyped(line, this.section?.told.values ?? []))
         this.fault(this.line + i, `${typed} is typed by hand; the program tells it: {{${name}}}`);
     });

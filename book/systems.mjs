@@ -55,6 +55,8 @@ function amplitude(u, m) {
   for (let n = a.length - 1; n > 0; --n) phi = (phi + Math.asin((c[n] / a[n]) * Math.sin(phi))) / 2;
   return phi;
 }
+// am(1) where m > 1.
+const beyond = (m) => Math.asin(Math.sin(amplitude(Math.sqrt(m), 1 / m)) / Math.sqrt(m)).toPrecision(2);
 const squares = { k: 1 / 16, m: 1 / 4, '1 − m': 3 / 4 };
 
 /** What the argument of K is, told from what the system says of K(¼). */
@@ -65,11 +67,9 @@ export function argument(system) {
 }
 
 /** Whether 1 − n sin² or 1 + n sin² stands in the integral of the third kind, told from n = ¼. */
-const sign = (system) =>
-  system.Pi ? (Number(system.Pi.quarter) > Number(system.K.quarter) ? '1 − n sin²' : '1 + n sin²') : 'none';
+const sign = (system) => (Number(system.Pi.quarter) > Number(system.K.quarter) ? '1 − n sin²' : '1 + n sin²');
 
 function turns(system) {
-  if (!system.am) return 'none';
   const got = Number(system.am.ten);
   const dropped = Object.values(squares).map((m) => (amplitude(10, m) - got) / (2 * Math.PI));
   if (dropped.some((n) => Math.abs(n) < 1e-9)) return 'counts them';
@@ -89,6 +89,9 @@ const when = (system) => (system.recorded ? `recorded ${system.recorded}` : 'in 
 const row = (head, cells) => `<tr><th scope="row">${head}</th>${cells.join('')}</tr>\n`;
 const words = (text) => `<td class="word">${escape(text)}</td>`;
 const code = (text) => `<td class="word"><code>${escape(text)}</code></td>`;
+// What a function turns out to be, and how it is asked; or that the system has none.
+const asked = (of, what) =>
+  of ? `<td class="word">${escape(what())}<span class="below"><code>${escape(of.call)}</code></span></td>` : words('none');
 
 /** `{{collected other-systems}}`: one row a system, how its functions are to be asked. */
 export function conventions(book) {
@@ -98,8 +101,10 @@ export function conventions(book) {
       words(argument(s)),
       words(said(s.K.one)),
       words(said(s.K.beyond)),
-      words(sign(s)),
-      words(turns(s)),
+      asked(s.Pi, () => sign(s)),
+      asked(s.am, () => turns(s)),
+      words(s.am ? said(s.am.one) : 'none'),
+      words(s.am ? said(s.am.beyond) : 'none'),
     ]),
   );
   const heads = [
@@ -110,6 +115,8 @@ export function conventions(book) {
     'at the argument 1½',
     'third kind has',
     'turns of am',
+    `am(2) at the top (${(2 * Math.atan(Math.tanh(1))).toPrecision(2)})`,
+    `am(1) at k = 1½ (${beyond(1.5 ** 2)}), m = 1½ (${beyond(1.5)})`,
   ];
   return `${table('Conventions of other systems', heads)}${rows.join('')}${tableEnd}`;
 }
@@ -134,31 +141,45 @@ export function errors(book, of) {
   return `${table(`Errors of ${of === 'T' ? 'T/Θ' : 'Φ'} near the top`, heads)}${rows.join('')}${tableEnd}`;
 }
 
-/** `{{collected engines}}`: the pendulum and the loaded ball after a minute in physics engines. */
-export function engines(book) {
+const degrees = Math.PI / 180;
+const scenes = { pendulum: { title: 'Pendulum', start: 90 }, ball: { title: 'Loaded ball', start: 1.2 / degrees } };
+
+/**
+ * `{{collected engines}}`: the pendulum and the loaded ball after a minute in physics engines; with `pendulum` or `ball`
+ * that one alone, and by how much its period is wrong.
+ */
+export function engines(book, only) {
   const truth = linked(book).engines;
-  const degrees = Math.PI / 180;
-  const left = (amplitude, start) => (1 - Math.cos(amplitude * degrees)) / (1 - Math.cos(start));
-  const cells = (seen, exact, start) => [
-    `<td>${seen.amplitude.toFixed(1)}</td>`,
-    `<td>${(100 * left(seen.amplitude, start)).toFixed(1)}</td>`,
-    `<td>${seen.period.toFixed(3)}</td>`,
-    `<td>${Number(exact).toFixed(3)}</td>`,
-  ];
+  const shown = only ? [only] : Object.keys(scenes);
+  const height = (angle) => 1 - Math.cos(angle * degrees);
+  const exact = (engine, scene) => Number(scene === 'ball' ? truth.ball : truth.pendulum[engine.bob]);
+  const cells = (engine, scene) => {
+    const [{ period, amplitude }, own] = [engine[scene], exact(engine, scene)];
+    const numbers = [
+      amplitude.toFixed(1),
+      ((100 * height(amplitude)) / height(scenes[scene].start)).toFixed(1),
+      period.toFixed(3),
+      own.toFixed(3),
+    ];
+    if (only) numbers.push((100 * (period / own - 1)).toFixed(1).replace(/^-(0\.0$)?/, (_, none) => none ?? '−'));
+    return numbers.map((text) => `<td>${text}</td>`);
+  };
+  const row_of = (name, below, engine) =>
+    row(
+      `${name}<span class="below">${below}</span>`,
+      shown.flatMap((scene) => cells(engine, scene)),
+    );
   const rows = recorded(book, true).flatMap((record) =>
-    record.engines.map((e) =>
-      row(`${escape(e.engine)}<span class="below">${escape(e.version)}, recorded ${record.recorded}</span>`, [
-        ...cells(e.pendulum, truth.pendulum[e.bob], Math.PI / 2),
-        ...cells(e.ball, truth.ball, 1.2),
-      ]),
-    ),
+    record.engines.map((e) => row_of(escape(e.engine), `${escape(e.version)}, recorded ${record.recorded}`, e)),
   );
-  const of = (what, start) => [
-    `${what}: swings to, of ${start} <span class="unit">°</span>`,
+  const heads = shown.flatMap((scene) => [
+    `${only ? '' : `${scenes[scene].title.toLowerCase()}: `}swings to, of ${scenes[scene].start.toFixed(1)} <span class="unit">°</span>`,
     'energy left <span class="unit">%</span>',
     'mean period <span class="unit">s</span>',
     'true period <span class="unit">s</span>',
-  ];
-  const heads = ['engine', ...of('pendulum', '90'), ...of('loaded ball', '68.8')];
-  return `${table('Physics engines after a minute', heads)}${rows.join('')}${tableEnd}`;
+    ...(only ? ['wrong by <span class="unit">%</span>'] : []),
+  ]);
+  const label = only ? `${scenes[only].title} in physics engines` : 'Physics engines after a minute';
+  const own = row_of('this edition', 'in this build', truth.edition);
+  return `${table(label, ['engine', ...heads])}${own}${rows.join('')}${tableEnd}`;
 }

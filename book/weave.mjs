@@ -4,7 +4,7 @@
 // its faults, whatever else is built or not).
 import fs from 'node:fs';
 import path from 'node:path';
-import { escape, Formulas, Page, heading, slug } from './prose.mjs';
+import { asProduct, escape, Formulas, heading, Page, productSaid, slug } from './prose.mjs';
 import { explained, html, page } from './doxygen.mjs';
 import { palette, inline, standalone, thumbnail } from './figure.mjs';
 import { lists } from './lists.mjs';
@@ -303,7 +303,7 @@ book.collected = (what, page) => {
 book.speed = (name) => value(book, name);
 book.page = (file, chapter) => new Page(book, file, null, chapter);
 
-/** What no section's page shows of figures/, and tables in the library's comments that Doxygen would lose. */
+/** What no section's page shows of figures/, and what Doxygen would lose of the library: tables and templates. */
 function orphans() {
   for (const script of fs.readdirSync(path.join(source, 'figures')).filter((f) => f.endsWith('.gp'))) {
     const name = script.slice(0, -3);
@@ -323,7 +323,19 @@ function orphans() {
         const row = /^\s*(?:\/\/\/|\*)\s*(\|.*\|)\s*$/.exec(line)?.[1];
         if (row && /`[^`]*\|[^`]*`|\\f\$[^$]*\|[^$]*\\f\$/.test(row))
           fault(`src/${header}`, i + 1, 'a bar in code or in a formula: Doxygen loses the whole table');
+        if (asProduct.test(line)) fault(`src/${header}`, i + 1, productSaid);
       });
+  for (const header of headers) {
+    // Comments and strings blanked, their lines kept.
+    const code = read(path.join(src, header)).replace(/\/\/.*|\/\*[^]*?\*\/|"(?:\\.|[^"\\\n])*"/g, (s) => s.replace(/[^\n]/g, ' '));
+    for (const { 0: head, index } of code.matchAll(/\btemplate\s*<[^;{}]*/g))
+      if ((head.match(/(?<![=&|(]\s*|requires\s+)\brequires\b/g) ?? []).length > 1)
+        fault(
+          `src/${header}`,
+          code.slice(0, index).split('\n').length,
+          'two "requires" clauses: for Doxygen the function vanishes into the next one; join them by &&',
+        );
+  }
 }
 
 /** The ledger: every claim of every check, and which told numbers the check looks at. */

@@ -81,9 +81,9 @@ double with_gsl(Place at, double t, double (*turning)(double))
 
 /*!
 The exact solution came with Jacobi's elliptic functions. With $c = \sin\frac12\zeta$ and
-$\tau = t\sqrt{2g}/\sqrt b$, where $b = (aa+kk)/a$, it is $\sin\frac12\Phi = c\,\mathrm{sn}(\tau, c)$. The
-library has it as {{api swing::Motion}}, and in fifty digits as the judge. The speed in $AB$, with which the
-steps begin, is that of {{sec pendulum.06}}.
+$\tau = t\sqrt{2g}/\sqrt b$, where $b = (aa+kk)/a$, it is $\sin\frac12\Phi = c\,\operatorname{sn}(\tau, c)$.
+The library has it as {{api swing::Motion}}, and in fifty digits as the judge. The speed in $AB$, with which
+the steps begin, is that of {{sec pendulum.06}}.
 */
 
 const auto swing_ = amplitude(90_deg, open(0_deg, 180_deg));
@@ -196,6 +196,16 @@ TELL
 }
 
 /*!
+The physics engines of games take steps too, sixty a second, by rules of the first order, and what is lost at
+each adds up. A pendulum of one metre, let go at a right angle with nothing that damps it, should swing as far
+after a minute:
+
+{{collected engines pendulum}}
+
+The bob is a small ball or disc, which makes the true periods differ a little; the mean period is that of the
+whole minute, and shortens as the swing dies. Smaller steps help, more iterations do not. How the engines were
+asked stands in [Other systems](other-systems.html).
+
 ## Checks
 
 For the three weights of {{sec pendulum.03}} the equation can be had without $a$ and $k$: the moment of all

@@ -32,6 +32,8 @@ cephes.compiled.then(() => {
   say('K.one', safely(() => cephes.ellpk(0)));
   say('K.beyond', safely(() => cephes.ellpk(-0.5)));
   say('am.ten', cephes.ellpj(10, 0.25)[1].ph);
+  say('am.one', safely(() => cephes.ellpj(2, 1)[1].ph));
+  say('am.beyond', safely(() => cephes.ellpj(1, 1.5)[1].ph));
   say('T.1', ...k.map((x) => safely(() => (2 / Math.PI) * cephes.ellpk(1 - x * x))));
   say('T.2', ...eta.map((x) => (2 / Math.PI) * cephes.ellpk(Math.sin(x / 2) ** 2)));
   say('Phi.1', ...k.map((x, i) => 2 * Math.asin(x * jacobi[i].sn)));

@@ -21,6 +21,8 @@ say("K.quarter", delip(1, 0.25));
 say("K.one", delip(1, 1));
 try, say("K.beyond", delip(1, 1.5)), catch, mprintf("K.beyond error: %s\n", strsubst(lasterror(), ascii(10), " ")), end
 say("am.ten", amell(10, 0.25));
+say("am.one", amell(2, 1));
+try, say("am.beyond", amell(1, 1.5)), catch, mprintf("am.beyond error: %s\n", strsubst(lasterror(), ascii(10), " ")), end
 t1 = []; t2 = []; sn = []; dn = [];
 for i = 1:3
   t1(i) = 2/%pi * delip(1, k(i));

@@ -22,6 +22,8 @@ say('K.quarter', ellipk(0.25));
 say('K.one', ellipk(1));
 say('K.beyond', ellipk(1.5));
 say('am.ten', ellipj(10, 0.25)[3]);
+say('am.one', ellipj(2, 1)[3]);
+say('am.beyond', ellipj(1, 1.5)[3]);
 say('T.1', ...k.map((x) => (2 / Math.PI) * ellipk(x * x)));
 const jacobi = k.map((x, i) => ellipj(u[i], x * x));
 say('Phi.1', ...k.map((x, i) => 2 * Math.asin(x * jacobi[i][0])));

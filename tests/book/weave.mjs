@@ -212,7 +212,11 @@ function weave(spoil = () => {}, ...options) {
     [`${build}/other-systems.json`]: JSON.stringify({
       question: { T: ['1', '2', '4'], Phi: ['1', '2', '4'] },
       systems: [],
-      engines: { pendulum: { 0: '2', 0.004: '2', 0.005: '2' }, ball: '3' },
+      engines: {
+        pendulum: { 0: '2', 0.004: '2', 0.005: '2' },
+        ball: '3',
+        edition: { bob: '0', pendulum: { period: 2, amplitude: 90 }, ball: { period: 3, amplitude: 68.8 } },
+      },
     }),
     [`${source}/book/matter/index.md`]: '# The book\n\nIt opens.\n',
     [`${source}/CMakeLists.txt`]: 'project(euler-on-oscillation VERSION 1.0.0)\n',
@@ -374,6 +378,11 @@ const faults = {
     /s11\.cpp:LINE: a table row with more or fewer cells/,
     '| $|x|',
   ],
+  "a function's name set as a product": [
+    ['s11.cpp', 'One line.', 'One $\\mathrm{sn}\\,u$ line.'],
+    /s11\.cpp:LINE: a function's name is \\operatorname/,
+    'One $',
+  ],
   'a piece of the library that is not marked': [
     ['s11.cpp', 'One line.', '::: code pendulum/series.hpp nothing\n:::'],
     /s11\.cpp:LINE: src\/pendulum\/series\.hpp has not two lines \/\/ \[nothing\]/,
@@ -465,6 +474,17 @@ test('refused: an orphan figure script', () => {
     /^figures\/pendulum-12\.gp:1: an orphan/,
   );
 });
+test('refused: what Doxygen would lose of the library', () => {
+  const header = (text) => weave((files) => files.add('src/swing/time.hpp', text)).stderr;
+  assert.match(header('/// | a | b |\n/// | --- | --- |\n/// | `x|y` | b |\n'), /^src\/swing\/time\.hpp:3: a bar in code/);
+  assert.match(header('/// | \\f$|x|\\f$ | b |\n'), /^src\/swing\/time\.hpp:1: a bar in code or in a formula/);
+  assert.match(header('/// It is \\f$\\mathrm{sn}\\,u\\f$.\n'), /^src\/swing\/time\.hpp:1: a function's name/);
+  const twice = '/// It is.\ntemplate <class T>\n  requires A<T>\nT f(T x) requires B<T>;\n';
+  assert.match(header(twice), /^src\/swing\/time\.hpp:2: two "requires" clauses/);
+  const once = '// requires\ntemplate <class T>\n  requires(A<T> && requires(T x) { x + x; })\nT f(T x);\n';
+  assert.equal(header(once), '');
+});
+
 test('refused: no figure and no reason for none; a reason is enough', () => {
   const without = (instead) => (files) => {
     files.replace('s11.cpp', '::: figure pendulum-11\nalt: A line at {{half}}.\n\nThe caption.\n:::', instead);
