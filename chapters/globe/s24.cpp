@@ -2,6 +2,8 @@
 #include "globe/asked.hpp"
 #include "globe/ball.hpp"
 #include "globe/readings.hpp"
+#include "globe/scene.hpp"
+#include "globe/scene_judge.hpp"
 
 SECTION(globe, 24, "Rolling, and the friction that it takes")
 
@@ -147,6 +149,23 @@ TELL
   });
 }
 
+TELL
+{
+  const Fifty s = asked.fifty().s, u = asked.fifty().c;  // of ½Φ
+  const Fifty moved = w.fifty() * w.fifty() / (8 * g.fifty() * c.fifty())
+                      * (bb<Fifty>({a.fifty(), c.fifty(), k.fifty()}) + 4 * a.fifty() * c.fifty() * s * s);
+  const Ball<double> ball{a, c, k};
+  const auto at = rounded(asked.fifty());
+  Energy<double> e = rounded(Energy<Fifty>{s * s + moved, u * u - moved});
+  if(!can_be_seen(ball, e.h))
+    return;
+  e.h = std::max(e.h, at.s * at.s);  // at rest, where both are rounded
+  const double from =
+      w == 0 ? rolling::quarter<double>(in_radii(ball), e) : rolling::time<double>(in_radii(ball), e, at);
+  if(std::isfinite(from))
+    scene_of_ball("rolling", rolling_motion(ball, g, e, from));
+}
+
 /*!
 At 60°, turning with 5 radians a second, our ball asks for a friction of {{lambda|4}} of the pressure. Were it
 {{w_free|4}} radians a second, it would ask for none.
@@ -160,6 +179,15 @@ cross zero, one after the other, and go on falling.
 What rolling takes at 60° and 120°, against the angular velocity that the ball has there. It begins with
 what holds a ball that is let go, sinks to nothing, and changes sides. At 120° little is then left of the
 pressure, and λ runs away.
+:::
+
+::: scene rolling
+alt: A ball on a level line; a radius goes down to the left, with the centre of gravity on it. A grey line is
+the way of that point.
+
+The ball rolls on from this place, with this velocity, in true time: two turns, or a swing to and fro, and no
+farther than to where the plane bears nothing. It is quick while $G$ is low and slow while it is high; with
+$c = {{c}}$ that is hard to see, with 0.5 it is not.
 :::
 
 ## Checks
@@ -228,6 +256,26 @@ Fifty free_at(double Phi)  // (B)
 {
   const Fifty a_ = a.fifty(), c_ = c.fifty(), k_ = k.fifty(), u = cos(Fifty(Phi));
   return sqrt(2 * g.fifty() * (a_ - c_ * u) / (c_ * c_ + k_ * k_ - a_ * c_ * u));
+}
+
+CHECK_THAT(
+    "the scene is the ball that rolls as the equation of §9 has it, from the place and velocity asked for")
+{
+  for(const Told& now :
+      told_at("", "c=0.5 k=0.5 Phi=120 w=0.8 g=2", "Phi=90 w=0 c=0.9 k=0.1", "w=20 c=0.5"))
+  {
+    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    const auto frames = now.points("rolling", 7);
+    for(const auto& frame : judged(frames, Plane::rough, ball, g.fifty(), asked.angle(), w.fifty()))
+    {
+      CHECK(frame.told.value("t") == between(frame.earliest, frame.latest, "in their order"));
+      CHECK(frame.pressure == between(-1e-9, infinity, "the plane bears it, to the last frame"));
+      CHECK(frame.told.value("Phi") == within(frame.Phi, frame.slack, Judged_ball::because));
+      CHECK(frame.told.value("C_x") == within(frame.C_x, frame.slack, Judged_ball::because));
+      CHECK(frame.told.value("G_x") == within(frame.G_x, frame.slack, Judged_ball::because));
+      CHECK(frame.told.value("G_y") == within(frame.G_y, frame.slack, Judged_ball::because));
+    }
+  }
 }
 
 CHECK_THAT("the table and the figure are the friction that the accelerations of rolling ask for")
