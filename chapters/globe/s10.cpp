@@ -2,6 +2,8 @@
 #include "exact/ode.hpp"
 #include "globe/asked.hpp"
 #include "globe/ball.hpp"
+#include "globe/scene.hpp"
+#include "globe/scene_judge.hpp"
 #include "globe/smooth.hpp"
 
 SECTION(globe, 10, "On a smooth plane")
@@ -110,6 +112,13 @@ TELL
   });
 }
 
+TELL
+{
+  const auto e = energy_of_velocity<double>(c, k * k, g, zeta);
+  if(can_be_seen({a, c, k}, e.h))
+    scene_of_ball("turning", smooth_motion({a, c, k}, g, e, f / a));
+}
+
 /*!
 At 60° the ball still turns with {{w|4}} of the 8 radians a second that it had. The plane bears
 {{pressure|4}} of the weight there, and its centre, which at the lowest place runs ahead of $G$, goes at
@@ -122,6 +131,15 @@ A short line joins each dot of one to that of the other.
 
 $G$ (blue) and $C$ (ink) at equal intervals of time, through two turns. $G$ gains the same length in each;
 $C$ hurries while $G$ is low and lags while it is high. The heights are drawn larger than the lengths.
+:::
+
+::: scene turning
+alt: A ball on a level line, its centre of gravity marked below the centre; a grey wave is the way of that
+point.
+
+The ball in true time and in its proportions, through two turns, or one period where it rocks. Watch $G$: it
+gains evenly, whatever the ball does about it. Where ζ is beyond {{zeta_lift|4}} the scene ends when the ball
+leaves the plane.
 :::
 
 ## Checks
@@ -180,6 +198,31 @@ CHECK_THAT("the path drawn is that of Newton's equations, G going uniformly")
       CHECK(point.value("x") == within(there[0], 1e-14, "(1)"));
       CHECK(point.value("y") == within(ball.a - ball.c * cos(there[2]), 1e-14, "the height of G"));
       CHECK(point.value("s") == within(there[0] + ball.c * sin(there[2]), 1e-14, "(2)"));
+    }
+  }
+}
+
+CHECK_THAT("the scene is the ball as the equations of motion have it, up to where the plane bears nothing")
+{
+  for(const Told& now : told_at("", "zeta=5 f=-2 a=2 c=0.9 Phi=10", "c=0.9 k=0.3 zeta=20 f=1 g=3"))
+  {
+    const auto frames = now.points("turning", 7);
+    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    for(const auto& frame : judged(frames, Plane::smooth, ball, g.fifty(), 0, zeta.fifty(), f.fifty()))
+    {
+      CHECK(frame.told.value("t") == between(frame.earliest, frame.latest, "in their order"));
+      CHECK(frame.pressure == between(-1e-9, infinity, "the plane bears it, to the last frame"));
+      CHECK(frame.told.value("Phi") == within(frame.Phi, frame.slack, Judged_ball::because));
+      CHECK(frame.told.value("C_x") == within(frame.C_x, frame.slack, Judged_ball::because));
+      CHECK(frame.told.value("G_x") == within(frame.G_x, frame.slack, Judged_ball::because));
+      CHECK(frame.told.value("G_y") == within(frame.G_y, frame.slack, Judged_ball::because));
+    }
+    if(exact_h() > smooth::lift_off_energy<Fifty>(ball.c, ball.k))
+    {
+      const Fifty u = cos(Fifty(frames.back().at("Phi"))), kk = ball.k * ball.k, cc = ball.c * ball.c;
+      const Fifty ww = 8 * g.fifty() * ball.c * (exact_h() - (1 - u) / 2) / (kk + cc * (1 - u * u));
+      CHECK(accelerations<Fifty>(ball, g.fifty(), frames.back().at("Phi"), sqrt(ww), 0).pressure
+            == within(0, 1e-12, "the angle is rounded"));
     }
   }
 }
