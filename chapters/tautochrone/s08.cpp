@@ -1,5 +1,7 @@
 #include "edition/section.hpp"
 #include "tautochrone/euler.hpp"
+#include "tautochrone/scene.hpp"
+#include "tautochrone/scene_judge.hpp"
 #include "tautochrone/thread.hpp"
 
 SECTION(tautochrone, 8, "The figure: the cheek, the thread and the body")
@@ -69,6 +71,8 @@ const auto phi0 =
     angle("phi0", 60_deg, above_to(0_deg, 89_deg), "how far the pendulum swings to either side");
 const auto phi = angle("phi", 40_deg, closed(0_deg, 89_deg), "angle of the free part with the vertical");
 
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second, half of today's g");
+
 double borne(double ratio, double phi0_, double phi_)  // (B)
 {
   const auto at = on_cycloids<double>(phi0_, phi_);
@@ -115,6 +119,11 @@ TELL
   letters.row({"H", q + MH * std::sin(phi), p + MH * std::cos(phi)});
 }
 
+TELL
+{
+  scene_between_cheeks("swing", Cheeks::cycloids, k / a, phi0, clock_in_seconds(a, g));
+}
+
 /*!
 ::: figure tautochrone-08
 alt: A cheek hangs from A and bends away to the right, to B. The thread lies on it from A to M and goes on
@@ -124,6 +133,15 @@ is D. Level and upright construction lines lead to P, Q and S.
 Euler's sixth figure, drawn anew from the text and the geometry with Huygens's cheek. The thread $AM$ lies on
 the cheek $AMB$; $G$ has come from $C$ along a curve whose evolute is that cheek. $D$ and $H$ are the
 centres of oscillation for the axes $A$ and $M$.
+:::
+
+::: scene swing
+alt: Two half cycloids meet in a cusp at the top. A thread leaves the right one and goes on, stiff, through
+two equal weights with the centre of gravity between them.
+
+The pendulum in its true time, one swing to and fro. For the body stand two equal weights, $k$ above $G$ and
+$k$ below it; any other body with the same $kk$ moves alike. The free part always touches the cheek, and turns
+the body.
 :::
 
 In a swing of 60° a body with $k = \tfrac15a$ needs at 40° {{R|percent2}} of its weight across at $M$, and
@@ -193,6 +211,19 @@ CHECK_THAT("what the free part bears across is what the rotation needs")
     CHECK(now.value("R") == within_relative(needed(k_, phi0.fifty(), phi.fifty()), 3e-14, why));
     CHECK(now.value("R_at_the_end") == within_relative(needed(k_, phi0.fifty(), phi0.fifty()), 3e-14, why));
   }
+}
+
+CHECK_THAT("the scene shows the body where its equation of motion takes it, and the thread where it leaves "
+           "the cheek")
+{
+  for(const Told& now : told_at("", "phi0=89 k=0.02 a=2", "phi0=20 k=3 g=1 phi=5"))
+    for(const Judged_frame& frame : judged(now.points("swing", 9), Cheeks::cycloids, k.fifty() / a.fifty(),
+                                           phi0.fifty(), sqrt(a.fifty() / g.fifty()) / 2))
+    {
+      CHECK(frame.told.value("t") == within_relative(frame.t, 1e-14, "the clock's bound"));
+      for(const auto& [column, right] : frame.right)
+        CHECK(frame.told.value(column.c_str()) == within(right, frame.slack, Judged_frame::because));
+    }
 }
 
 CHECK_THAT("the points of the figure lie where their definitions put them, and so do its lines")
