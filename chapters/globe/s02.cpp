@@ -1,4 +1,6 @@
 #include "edition/section.hpp"
+#include "globe/scene.hpp"
+#include "globe/scene_judge.hpp"
 
 SECTION(globe, 2, "The figure and its letters")
 
@@ -127,6 +129,30 @@ TELL
 }
 
 /*!
+Let go at rest with the angle that is left of Φ after whole turns, on a plane that lets it roll only, the ball
+rocks:
+*/
+
+const auto g = real("g", 15.625, feet, scale, "height fallen from rest in the first second");
+
+TELL
+{
+  const Fifty rest = Phi.fifty() - 2 * exact::pi() * turns(), aside = abs(rest);
+  const globe::Ball<double> ball{a, c, k};
+  const auto e = globe::rounded(globe::Energy<Fifty>{pow(sin(aside / 2), 2), pow(cos(aside / 2), 2)});
+  if(!globe::can_be_seen(ball, e.h) || e.from_top == 0)
+    return;  // nothing moves, or too little to be seen
+  auto motion =
+      globe::rolling_motion(ball, g, e, globe::rolling::quarter<double>(globe::in_radii(ball), e));
+  if(rest < 0)
+  {
+    motion.angle = [forwards = motion.angle](double tau) { return -forwards(tau); };
+    motion.advanced = [forwards = motion.advanced](double to, double t) { return -forwards(-to, t); };
+  }
+  globe::scene_of_ball("rocking", motion);
+}
+
+/*!
 With the ball turned by 60° its centre of gravity is {{behind|4}} foot behind the centre and {{y|4}} above
 the plane, and $x$ is {{x|8}} feet. With that $c$ no ball has a $k$ above {{greatest_k|4}} foot.
 
@@ -138,6 +164,13 @@ lies to the left.
 
 The first figure of the plate, drawn from its description. The ball goes from $I$ towards $O$ and turns in
 the sense $SAB$, so that $G$ has been carried behind $C$ and up at the back.
+:::
+
+::: scene rocking
+alt: A ball on a level line; the radius CA goes down to the left, with G on it. A grey line is the way of G.
+
+The same ball let go at this place, in true time: the radius is $CA$, the dot $G$, the grey line its way. As
+the ball rolls back, $S$ runs along the plane by as much as the radius turns.
 :::
 
 ## Checks
@@ -233,6 +266,23 @@ CHECK_THAT("two particles have any c and k that are wanted, and lie in the ball 
     const Fifty most = a_ == c_ ? Fifty(0) : Fifty(a_ * sqrt(1 - pow(c_ / a_, 2)));
     CHECK(now.value("greatest_k", feet) == within_relative(most, 2e-16, "rounded once"));
   }
+}
+
+CHECK_THAT(
+    "the scene is the ball rolling as the equations of motion have it, let go at rest at the angle told")
+{
+  for(const Told& now : told_at("", "Phi=-150 c=0.3 a=2 g=3", "Phi=537 c=0.9 k=0.2"))
+    for(const auto& frame :
+        globe::judged(now.points("rocking", 7), globe::Plane::rough, {a.fifty(), c.fifty(), k.fifty()},
+                      g.fifty(), Phi.fifty() - 2 * exact::pi() * turns(), 0))
+    {
+      CHECK(frame.told.value("t") == between(frame.earliest, frame.latest, "in their order"));
+      CHECK(frame.pressure == between(-1e-9, infinity, "the plane bears it, to the last frame"));
+      CHECK(frame.told.value("Phi") == within(frame.Phi, frame.slack, globe::Judged_ball::because));
+      CHECK(frame.told.value("C_x") == within(frame.C_x, frame.slack, globe::Judged_ball::because));
+      CHECK(frame.told.value("G_x") == within(frame.G_x, frame.slack, globe::Judged_ball::because));
+      CHECK(frame.told.value("G_y") == within(frame.G_y, frame.slack, globe::Judged_ball::because));
+    }
 }
 
 CHECK_THAT("the figure is the ball's: its circle, its two radii, its right angles at P and at Q")
