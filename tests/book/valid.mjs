@@ -34,8 +34,15 @@ for (const page of pages) {
 }
 // What a reader can touch works: without the live modules no page offers to run anything.
 const live = fs.existsSync(path.join(site, 'live/live.js'));
-const touched = pages.filter((f) => /class="(again|field|controls)"/.test(fs.readFileSync(path.join(site, f), 'utf8')));
+const text = (page) => fs.readFileSync(path.join(site, page), 'utf8');
+const touched = pages.filter((f) => /class="(again|field)"/.test(text(f)));
 if (!live) for (const page of touched) faults.push(`${page}: fields or a button that nothing answers`);
+// A scene's button is answered by the frames that were woven.
+for (const page of pages.filter((f) => /class="controls"/.test(text(f)))) {
+  const frames = [...text(page).matchAll(/<figure[^>]* class="scene"[^>]* data-frames="([^"]+)"/g)].map((m) => m[1]);
+  const missing = ['scene.js', ...frames].filter((f) => !fs.existsSync(path.join(site, f)));
+  if (!frames.length || missing.length) faults.push(`${page}: a scene without ${missing.join(', ') || 'frames'}`);
+}
 console.log(`${pages.length} pages, ${faults.length} faults`);
 if (!pages.length || faults.length) {
   console.error(faults.slice(0, 200).join('\n'));
