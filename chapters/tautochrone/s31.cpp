@@ -337,7 +337,7 @@ CHECK_THAT("Huygens's body and Euler's move as their equations of motion say, on
       const auto angles = angles_by_motion(r, ratio, start, times);
       for(std::size_t i = 0; i < frames.size(); ++i)
       {
-        const Fifty here = angles.at(i);
+        const Fifty& here = angles.at(i);
         const auto along = [&](const Fifty& x) -> Fifty { return r(cos(x)) * cos(x); };
         const auto up = [&](const Fifty& x) -> Fifty { return r(cos(x)) * sin(x); };
         const auto from_lowest = [&](const auto& f) { return exact::integrate(f, 0, here).value; };

@@ -142,7 +142,7 @@ TELL
     std::vector<double> angles;
     for(int i = 1; i <= 60; ++i)
       angles.push_back(end(Member::highest, ratio).phi * i / 60.001);
-    for(const Drawn& place_ : drawn(Member::highest, ratio, angles))
+    for(const Drawn& place_ : tautochrone::drawn(Member::highest, ratio, angles))
       out.put({place_.y, place_.at.x, 3});
   });
 }

@@ -122,7 +122,7 @@ TELL
     std::vector<double> angles;
     for(int i = 1; i <= 60; ++i)
       angles.push_back(end(Member::highest, 0.3).phi * i / 60.001);
-    for(const auto& place_ : drawn(Member::highest, 0.3, angles))
+    for(const auto& place_ : tautochrone::drawn(Member::highest, 0.3, angles))
       out.put({place_.p, place_.q});
   });
 }
@@ -201,8 +201,8 @@ Hung hung(int which, double at)  // 0 Huygens's, 1 Euler's, 2 exact
             side * euler_q<double>(1, used, size), euler_p<double>(1, used, size)};
   if(size < 1e-9)
     return {at, 1, 0, 0};
-  const Drawn place_ =
-      drawn(Member::highest, body, {std::min(size, end(Member::highest, body).phi * (1 - 1e-12))})[0];
+  const Drawn place_ = tautochrone::drawn(
+      Member::highest, body, {std::min(size, end(Member::highest, body).phi * (1 - 1e-12))})[0];
   return {side * place_.y, 1 - place_.at.x, side * place_.q, place_.p};
 }
 

@@ -44,7 +44,8 @@ inline std::vector<Judged_frame> judged(const std::vector<edition::ToldRow>& fra
   std::vector<Judged_frame> result;
   for(std::size_t i = 0; i < frames.size(); ++i)
   {
-    const Fifty phi = angles[i], s = sin(phi), c = cos(phi), free = r(c);
+    const Fifty& phi = angles[i];
+    const Fifty s = sin(phi), c = cos(phi), free = r(c);
     const auto aside = [&](const Fifty& x) -> Fifty { return r(cos(x)) * cos(x); };
     const auto up = [&](const Fifty& x) -> Fifty { return r(cos(x)) * sin(x); };
     const Fifty x = phi == 0 ? Fifty(0) : exact::integrate(aside, 0, phi).value;
