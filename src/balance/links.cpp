@@ -81,25 +81,14 @@ Fifty handed_on(const Built<Fifty>& of)
   };
   const auto answer = [&](const Fifty& s) {  // of (stiffness − s·masses) x = masses·(0, 0, 1, 0)
     Equations<Fifty> m = masses;
-    Fifty determinant = 1;
     for(std::size_t i{0}; i < 4; ++i)
     {
       for(std::size_t k{0}; k < 4; ++k)
         m[i][k] = (i == k ? stiffness[i] : Fifty(0)) - s * masses[i][k];
       m[i][4] = masses[i][2];
     }
-    for(std::size_t i{0}; i < 4; ++i)
-    {
-      determinant *= m[i][i];
-      for(std::size_t r{0}; r < 4; ++r)
-        if(r != i)
-        {
-          const Fifty by = m[r][i] / m[i][i];
-          for(std::size_t k = i; k < 5; ++k)
-            m[r][k] -= by * m[i][k];
-        }
-    }
-    return Answer{determinant, m[3][4] / m[3][3]};
+    m = eliminated(m);
+    return Answer{m[0][0] * m[1][1] * m[2][2] * m[3][3], m[3][4] / m[3][3]};
   };
   Fifty above = 0;  // the sum of the four squares
   for(std::size_t i{0}; i < 4; ++i)

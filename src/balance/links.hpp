@@ -36,9 +36,9 @@ inline Place<double> place(const Full_state& s)
 template <class Number>
 using Equations = std::array<std::array<Number, 5>, 4>;
 
-/// Solved by Gauss' and Jordan's elimination; the masses are positive definite, so that no pivot is looked for.
+/// Gauss' and Jordan's elimination: what is left has the pivots, and nothing else beside the forces. No pivot is looked for.
 template <class Number>
-std::array<Number, 4> solved(Equations<Number> m)
+Equations<Number> eliminated(Equations<Number> m)
 {
   for(std::size_t i{0}; i < 4; ++i)
     for(std::size_t r{0}; r < 4; ++r)
@@ -48,6 +48,14 @@ std::array<Number, 4> solved(Equations<Number> m)
         for(std::size_t k = i; k < 5; ++k)
           m[r][k] -= by * m[i][k];
       }
+  return m;
+}
+
+/// The accelerations. The masses are positive definite, so that no pivot need be looked for.
+template <class Number>
+std::array<Number, 4> solved(const Equations<Number>& given)
+{
+  const Equations<Number> m = eliminated(given);
   return {m[0][4] / m[0][0], m[1][4] / m[1][1], m[2][4] / m[2][2], m[3][4] / m[3][3]};
 }
 

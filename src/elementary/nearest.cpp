@@ -289,6 +289,12 @@ Double log_of(double x)
   return with_powers(s.power, log1p_small({s.mantissa - 1, 0}));
 }
 
+/// What a logarithm is of an x that is not positive and finite.
+double log_beyond(double x)
+{
+  return x == 0 ? -infinity : x > 0 ? x : nan;
+}
+
 /// log (1 + w) for a finite w > −1.
 Double log1p_of(Double w)
 {
@@ -333,6 +339,15 @@ double power_of(double x, double y)
     return t.value > 0 ? infinity : 0;
   const Exponential e = exponential(t);
   return result(whole(e), e.power);
+}
+
+/// ½(eˣ + sign·e⁻ˣ) for 0 ≤ x < 800.
+double half_sum(double x, double sign)
+{
+  const Exponential e = exponential({x, 0});
+  const Double up = whole(e), down = over({1, 0}, up);
+  const double square = e.power > 100 ? 0 : std::ldexp(1.0, -2 * e.power);
+  return result(plus(up, scaled(down, sign * square)), e.power - 1);
 }
 
 /// With the sign of x.
@@ -432,14 +447,14 @@ double expm1(double x)
 double log(double x)
 {
   if(!(x > 0 && x < infinity))
-    return x == 0 ? -infinity : x > 0 ? x : nan;
+    return log_beyond(x);
   return added(log_of(x));
 }
 
 double log2(double x)
 {
   if(!(x > 0 && x < infinity))
-    return x == 0 ? -infinity : x > 0 ? x : nan;
+    return log_beyond(x);
   const Split s = split(x);
   return added(
       plus({static_cast<double>(s.power), 0}, times(log1p_small({s.mantissa - 1, 0}), inverse_log_two)));
@@ -448,7 +463,7 @@ double log2(double x)
 double log10(double x)
 {
   if(!(x > 0 && x < infinity))
-    return x == 0 ? -infinity : x > 0 ? x : nan;
+    return log_beyond(x);
   return added(times(log_of(x), inverse_log_ten));
 }
 
@@ -523,10 +538,7 @@ double sinh(double x)
     const Double e = expm1_of({size, 0});
     return signed_as(x, added(scaled(plus(e, over(e, plus({1, 0}, e))), 0.5)));
   }
-  const Exponential e = exponential({size, 0});
-  const Double up = whole(e), down = over({1, 0}, up);
-  const double square = e.power > 100 ? 0 : std::ldexp(1.0, -2 * e.power);
-  return signed_as(x, result(plus(up, negative(scaled(down, square))), e.power - 1));
+  return signed_as(x, half_sum(size, -1));
 }
 
 double cosh(double x)
@@ -534,10 +546,7 @@ double cosh(double x)
   const double size = magnitude(x);
   if(!(size < 800))
     return size * infinity;
-  const Exponential e = exponential({size, 0});
-  const Double up = whole(e), down = over({1, 0}, up);
-  const double square = e.power > 100 ? 0 : std::ldexp(1.0, -2 * e.power);
-  return result(plus(up, scaled(down, square)), e.power - 1);
+  return half_sum(size, 1);
 }
 
 double tanh(double x)
