@@ -1,9 +1,8 @@
 #include "balance/hung.hpp"
+#include "balance/links.hpp"
 #include "balance/motion.hpp"
 #include "balance/scene.hpp"
 #include "edition/section.hpp"
-
-#include <Eigen/Cholesky>
 
 SECTION(balance, 1, "What Bernoulli saw")
 
@@ -213,84 +212,27 @@ the scene begins anew.
 
 ## Checks
 
-The scene is played a second time by other equations and another rule. Shears, beam and strings are rods that
-carry points: the beam two, each of half its weight, at its radius of gyration to both sides of $G$; the
-ends of the strings the pans. The position of a point is a sum of rods; from these sums alone come its
-speeds, and from all points together the masses and forces of the four angles. The classical rule of Runge and
-Kutta, with steps of half a millisecond, carries them on.
+The scene is played a second time by other equations and another rule: by those of the balance built of links
+({{api balance::links::Built}}), where the position of each body is a sum of links, and masses and forces
+come from these sums alone. The classical rule of Runge and Kutta, with steps of half a millisecond, carries
+them on.
 */
 
-using Angles4 = Eigen::Vector4d;  // φ, ω, η, ϑ
-
-struct Rod
+struct Played
 {
-  int angle;            // which of the four turns it
-  double down, across;  // its parts along and to the side of A where the angle is zero
-};
-
-struct Loaded
-{
-  double weight;
-  std::vector<Rod> rods;  // from O to the point
-};
-
-std::vector<Loaded> loaded()
-{
-  const Suspended s = hung();
-  const double k = std::sqrt(s.beam.kk);
-  const Rod OC{0, s.h, 0}, CG{1, s.beam.c, 0};
-  return {{s.beam.M / 2, {OC, CG, {1, 0, k}}},
-          {s.beam.M / 2, {OC, CG, {1, 0, -k}}},
-          {s.beam.L, {OC, {1, 0, s.beam.a}, {2, s.beam.b, 0}}},
-          {s.beam.L, {OC, {1, 0, -s.beam.a}, {3, s.beam.b, 0}}}};
-}
-
-Angles4 pushed(const std::vector<Loaded>& points, const Angles4& at, const Angles4& rate)
-{
-  Eigen::Matrix4d masses = Eigen::Matrix4d::Zero();
-  Angles4 forces = Angles4::Zero();
-  for(const Loaded& point : points)
-  {
-    Eigen::Matrix<double, 2, 4> moved = Eigen::Matrix<double, 2, 4>::Zero();  // across and down, per angle
-    Eigen::Vector2d bent(0, -2 * designed.beam.g);  // what the rates alone accelerate it by, less gravity
-    for(const Rod& rod : point.rods)
-    {
-      const double s = std::sin(at[rod.angle]), c = std::cos(at[rod.angle]);
-      const Eigen::Vector2d place(rod.across * c + rod.down * s, rod.down * c - rod.across * s);
-      moved.col(rod.angle) += Eigen::Vector2d(place[1], -place[0]);
-      bent -= rate[rod.angle] * rate[rod.angle] * place;
-    }
-    masses += point.weight * moved.transpose() * moved;
-    forces -= point.weight * moved.transpose() * bent;
-  }
-  return masses.ldlt().solve(forces);
-}
-
-struct Rods
-{
-  Angles4 at{0, 0, n, 0}, rate = Angles4::Zero();
+  links::Place<double> place{{0, 0, n, 0}, {}};
   double now = 0;
 
   void to(double time)
   {
-    const auto points = loaded();
     const int steps = std::max(1, int(std::ceil((time - now) / 5e-4)));
-    const double s = (time - now) / steps;
-    for(int k = 0; k < steps; ++k)
-    {
-      const Angles4 a1 = pushed(points, at, rate), r2 = rate + s / 2 * a1;
-      const Angles4 a2 = pushed(points, at + s / 2 * rate, r2), r3 = rate + s / 2 * a2;
-      const Angles4 a3 = pushed(points, at + s / 2 * r2, r3), r4 = rate + s * a3;
-      const Angles4 a4 = pushed(points, at + s * r3, r4);
-      at += s / 6 * (rate + 2 * r2 + 2 * r3 + r4);
-      rate += s / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-    }
+    place = links::runge_kutta(links::built(hung()), place, time - now, steps);
     now = time;
   }
-  Four angles() const { return {at[0], at[1], at[2], at[3]}; }
+  Four angles() const { return {place.q[0], place.q[1], place.q[2], place.q[3]}; }
 };
 
-CHECK_THAT("the motion told, and how far each member swings, are those of points on rods")
+CHECK_THAT("the motion told, and how far each member swings, are those of links")
 {
   for(const Told& now : told_at("", "n=30 L=3 M=40 h=6 t=7", "n=0.01 M=20 t=40 h=5"))
   {
@@ -304,14 +246,14 @@ CHECK_THAT("the motion told, and how far each member swings, are those of points
     when.emplace_back(t, 10);
     std::sort(when.begin(), when.end());
     std::array<Reach, 11> seen{};
-    Rods rods;
+    Played again;
     Four at_t;
     for(const auto& moment : when)
     {
-      rods.to(moment.first);
-      seen[moment.second].look(rods.angles());
+      again.to(moment.first);
+      seen[moment.second].look(again.angles());
       if(moment.second == 10)
-        at_t = rods.angles();
+        at_t = again.angles();
     }
     const char* const why = "the fourth power of the rule's step, over a minute, in parts of n";
     CHECK(now.value("phi_t", degrees) == within(at_t.phi, room * n, why));
@@ -338,16 +280,16 @@ CHECK_THAT("the motion told, and how far each member swings, are those of points
   }
 }
 
-CHECK_THAT("the scene shows the points on rods where that rule brings them")
+CHECK_THAT("the scene shows the links where that rule brings them")
 {
   for(const Told& now : told_at("", "n=30 L=3 M=40 h=6 t=7", "n=0.01 M=20 t=40 h=5"))
   {
-    Rods rods;
+    Played again;
     double last = 0;
     for(const auto& frame : now.points("seen", 9))
     {
-      rods.to(frame.at("t"));
-      const Four at = rods.angles();
+      again.to(frame.at("t"));
+      const Four at = again.angles();
       const auto& beam = designed.beam;
       CHECK(frame.value("t") == between(last, 2.000001 * transfer(hung()).time, "in their order"));
       last = frame.at("t");
@@ -432,13 +374,13 @@ CHECK_THAT("the figure shows that motion, and its hulls are two frequencies adde
 {
   for(const Told& now : told_at(""))
   {
-    Rods rods;
+    Played again;
     for(const auto& point : now.points("scene_drawn", 9))
     {
       const Fifty time(point.at("t")), T = transfer(hung()).time, degree = exact::pi() / 180;
-      rods.to(point.at("t"));
-      CHECK(point.value("P") == within(rods.at[2] / 1_deg, 1e-8, "the rule's error, in degrees"));
-      CHECK(point.value("Q") == within(rods.at[3] / 1_deg, 1e-8, "the same"));
+      again.to(point.at("t"));
+      CHECK(point.value("P") == within(again.place.q[2] / 1_deg, 1e-8, "the rule's error, in degrees"));
+      CHECK(point.value("Q") == within(again.place.q[3] / 1_deg, 1e-8, "the same"));
       const Fifty mean = exact::pi() * time / (2 * T);
       CHECK(point.value("P_hull") == within(n.fifty() / degree * cos(mean), 1e-13, "a cosine"));
       CHECK(point.value("Q_hull") == within(n.fifty() / degree * sin(mean), 1e-13, "a sine"));
