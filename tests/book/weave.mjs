@@ -9,6 +9,7 @@ import { after, before, test } from 'node:test';
 import { asTeX, asText, format } from '../../book/numbers.mjs';
 import { palette } from '../../book/figure.mjs';
 import { blocks, named } from '../../book/section.mjs';
+import { rows } from '../../book/table.mjs';
 import { asked, folded } from '../../book/search.mjs';
 import { readable, texOf } from '../../book/tex.mjs';
 
@@ -626,6 +627,15 @@ test('numbers are rounded on their decimals and written as prose and as mathemat
   );
   assert.equal(asTeX(format({ value: -0.00001, unit: '' }, 'e2')), '-1.0\\times10^{-5}');
   assert.equal(format({ value: 1, unit: '' }, 'x'), null);
+});
+
+test('a column of numbers that were typed shows them so, one of results all its digits', () => {
+  const table = {
+    columns: [{ digits: 4 }, { digits: 6 }],
+    rows: [[30.000000000000004, 1e-6], [0.5, 0.25000012], [90, 2]],
+  };
+  const cells = rows(table).map((row) => [...row.matchAll(/<td>(.*?)<\/td>/g)].map((m) => m[1]));
+  assert.deepEqual(cells, [['30', '1.00000 × 10⁻⁶'], ['0.5', '0.250000'], ['90', '2']]);
 });
 
 test('the sign of a told angle or percentage stands once', () => {
