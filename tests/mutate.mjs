@@ -1,8 +1,10 @@
-// Changes one token of a section at a time and looks whether its checks turn red: node tests/mutate.mjs BUILD CHAPTER NN [COUNT].
+// Changes one token of a section at a time and looks whether its checks turn red, or else the record of what it tells
+// (tests/told.mjs): node tests/mutate.mjs BUILD CHAPTER NN [COUNT].
 // BUILD is a configured build folder of a copy of the repository that nobody else uses: the section is changed in place and put back.
 // Not part of the tests' every run; its last table stands in tests/mutations.md.
 import { execFileSync, spawnSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import path from 'node:path';
 
 const [build, chapter, number, count = '10'] = process.argv.slice(2);
@@ -66,8 +68,17 @@ const chance = () => (state = (state * 48271) % 2147483647) / 2147483647;
 const red = () => {
   const built = spawnSync('cmake', ['--build', build, '--target', program], { encoding: 'utf8' });
   if (built.status !== 0) return 'not compiled';
-  const run = spawnSync('bash', ['-c', 'ulimit -t 60; exec "$0" --check', path.join(build, 'bin', program)], { encoding: 'utf8' });
-  return run.status === 0 ? 'GREEN' : 'red';
+  const run = (...words) =>
+    spawnSync('sh', ['-c', 'ulimit -t 60; exec "$0" "$@"', path.join(build, 'bin', program), ...words], { encoding: 'utf8' });
+  if (run('--check').status !== 0) return 'red';
+  const captured = mkdtempSync(path.join(tmpdir(), 'mutated-'));
+  try {
+    writeFileSync(path.join(captured, `${program}.json`), run('--json', '--data', captured).stdout);
+    const told = [path.join(source, 'tests/told.mjs'), captured, path.join(source, 'tests/told'), program];
+    return spawnSync(process.execPath, told).status === 0 ? 'GREEN' : 'red in told';
+  } finally {
+    rmSync(captured, { recursive: true });
+  }
 };
 
 const all = places();

@@ -1,10 +1,11 @@
 // What all programs tell at their defaults, against what stands in tests/told/: a change of the library shows there what
 // it changes in the book. Run with the folder that the book's build captured (build/book/told) and the folder of the
-// record; with a third word, rewrite, the record is made anew (./euler told).
+// record; with a third word, rewrite, the record is made anew (./euler told), with a program's name it alone is compared.
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 
-const [captured, record, rewrite] = process.argv.slice(2);
+const [captured, record, third] = process.argv.slice(2);
+const rewrite = third === 'rewrite';
 const promised = 10; // significant digits that are kept, or as many as are shown where those are fewer
 const kept = 12; // of a curve's points, evenly from the first to the last
 
@@ -48,7 +49,7 @@ function differences(was, is, at = '') {
   return keys.flatMap((key) => differences(was[key], is[key], at ? `${at}.${key}` : key));
 }
 
-const programs = readdirSync(captured).map((f) => /^([a-z]+-\d\d)\.json$/.exec(f)?.[1]).filter(Boolean);
+const programs = readdirSync(captured).map((f) => /^([a-z]+-\d\d)\.json$/.exec(f)?.[1]).filter((name) => name && (rewrite || !third || name === third));
 if (rewrite) {
   rmSync(record, { recursive: true, force: true });
   mkdirSync(record, { recursive: true });
@@ -60,7 +61,7 @@ if (rewrite) {
     if (!existsSync(file)) return [`${program}: is not recorded; ./euler told does so`];
     return differences(JSON.parse(readFileSync(file, 'utf8')), essence(program)).map((what) => `${program}: ${what}`);
   });
-  for (const file of readdirSync(record))
+  for (const file of third ? [] : readdirSync(record))
     if (!programs.includes(path.basename(file, '.json'))) faults.push(`${file}: no program tells it any more`);
   for (const fault of faults.slice(0, 40)) console.error(fault);
   if (faults.length > 40) console.error(`and ${faults.length - 40} more`);
