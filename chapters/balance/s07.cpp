@@ -27,8 +27,9 @@ the first second: $2g$ is the acceleration of gravity.
 The pull is not the weight's component along the string. It also has to keep the pan on its circle, and to
 lift or let down the end of the beam from which it hangs. Resolved along the string, {{eq 1}} says that
 
-$$ \frac PL = \cos\eta + \frac{b\,\dot\eta^2 + a\,\ddot\omega\cos(\omega-\eta)
-   - a\,\dot\omega^2\sin(\omega-\eta)}{2g}. \tag{A} $$
+$$ \begin{aligned} \frac PL = \cos\eta &+ \frac{b\,\dot\eta^2}{2g}\\
+  &+ \frac{a\,\ddot\omega\cos(\omega-\eta)}{2g}\\
+ &- \frac{a\,\dot\omega^2\sin(\omega-\eta)}{2g}. \end{aligned} \tag{A} $$
 
 ## The program
 

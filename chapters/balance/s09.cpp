@@ -29,9 +29,10 @@ $$ +Qa\cos(\vartheta - \omega). \tag{3} $$
 
 The sum, divided by the moment of inertia $M(kk+cc)$, is the acceleration of the angle:
 
-$$ \text{V.}\quad \frac{dd\omega}{2g\,dt^2{{entry two_g}}} =
-   \frac{-Mc\sin\omega{{entry sine_of_omega}} - Pa\cos(\omega-\eta) + Qa\cos(\vartheta-\omega)}
-        {M(kk+cc)}{{entry minus_before_all}}. \tag{4} $$
+$$ \begin{gathered} \text{V.}\quad \frac{dd\omega}{2g\,dt^2{{entry two_g}}}
+   = \frac N{M(kk+cc)}{{entry minus_before_all}},\\
+  \begin{aligned} N = {}&{-Mc}\sin\omega{{entry sine_of_omega}} - Pa\cos(\omega-\eta)\\
+   &+ Qa\cos(\vartheta-\omega). \end{aligned} \end{gathered} \tag{4} $$
 
 These five equations, he concludes, contain the whole solution of the problem.
 

@@ -20,20 +20,25 @@ very small. It can be done in three lines. Let I, multiplied by the cosine of η
 subtracted so that $P$ goes out; and III and IV likewise:
 
 $$ \begin{aligned}
-\frac{b\,dd\eta}{2g\,dt^2} &= -\sin\eta + \frac a{2g}\bigl(\ddot\omega\sin(\omega-\eta)
-   + \dot\omega^2\cos(\omega-\eta)\bigr),\\
-\frac{b\,dd\vartheta}{2g\,dt^2} &= -\sin\vartheta - \frac a{2g}\bigl(\ddot\omega\sin(\omega-\vartheta)
-   + \dot\omega^2\cos(\omega-\vartheta)\bigr).
+\frac{b\,dd\eta}{2g\,dt^2} &= -\sin\eta + \frac a{2g}\bigl(\ddot\omega\sin(\omega-\eta)\\
+   &\quad + \dot\omega^2\cos(\omega-\eta)\bigr),\\
+\frac{b\,dd\vartheta}{2g\,dt^2} &= -\sin\vartheta\\
+   &\quad - \frac a{2g}\bigl(\ddot\omega\sin(\omega-\vartheta)\\
+   &\quad + \dot\omega^2\cos(\omega-\vartheta)\bigr).
 \end{aligned} \tag{A} $$
 
 Then the tensions, as they follow from the same four by the other combination ({{sec balance.07}}), are put
 into V. In them stands $\ddot\omega$ again, and it is brought to the left:
 
 $$ \begin{aligned}
-\bigl[M(kk&+cc) + Laa\,(p^2+q^2)\bigr]\frac{dd\omega}{2g\,dt^2} = -Mc\sin\omega\\
- &- La\,p\,\Bigl(\cos\eta + \frac{b\dot\eta^2 - a\dot\omega^2\sin(\omega-\eta)}{2g}\Bigr)\\
- &+ La\,q\,\Bigl(\cos\vartheta + \frac{b\dot\vartheta^2 + a\dot\omega^2\sin(\omega-\vartheta)}{2g}\Bigr),\\
-p &= \cos(\omega-\eta), \qquad q = \cos(\omega-\vartheta).
+&\bigl[M(kk+cc)\\
+ &\quad + Laa(p^2+q^2)\bigr]\frac{dd\omega}{2g\,dt^2}\\
+ &= -Mc\sin\omega\\
+ &\ - Lap\Bigl(\cos\eta\\
+ &\quad + \frac{b\dot\eta^2 - a\dot\omega^2\sin(\omega-\eta)}{2g}\Bigr)\\
+ &\ + Laq\Bigl(\cos\vartheta\\
+ &\quad + \frac{b\dot\vartheta^2\! + a\dot\omega^2\sin(\omega-\vartheta)}{2g}\Bigr),\\
+&p = \cos(\omega-\eta),\\ &q = \cos(\omega-\vartheta).
 \end{aligned} \tag{B} $$
 
 The bracket is never less than the beam's own moment of inertia; so the accelerations can always be found, and

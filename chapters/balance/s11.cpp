@@ -19,8 +19,8 @@ $$ \begin{aligned} x &= a + b\eta, & x' &= a - b\vartheta,\\
 Nothing in them is of a higher degree than the first. What has been left out is exactly
 
 $$ \begin{aligned}
-\text{of } x:&\quad -2a\sin^2\tfrac12\omega - b(\eta-\sin\eta),\\
-\text{of } y:&\quad -2b\sin^2\tfrac12\eta + a(\omega-\sin\omega),
+\text{of } x:&\ -2a\sin^2\tfrac12\omega - b(\eta-\sin\eta),\\
+\text{of } y:&\ -2b\sin^2\tfrac12\eta + a(\omega-\sin\omega),
 \end{aligned} \tag{A} $$
 
 and of $x'$ and $y'$ the same with $-\vartheta$ for η and $-\omega$ for ω. The sines have lost parts of the

@@ -12,13 +12,13 @@ using namespace balance;
 With the coordinates of {{sec balance.11}}, the sines being the angles and the cosines unity, the five
 equations take these forms:
 
-$$ \begin{gathered}
-\text{I.}\ \frac{b\,dd\eta}{2g\,dt^2} = -\frac{P\eta}L, \qquad
-\text{II.}\ -\frac{a\,dd\omega}{2g\,dt^2} = 1{{entry unity}} - \frac PL,\\
-\text{III.}\ -\frac{b\,dd\vartheta}{2g\,dt^2} = +\frac{Q\vartheta}L, \qquad
-\text{IV.}\ +\frac{a\,dd\omega}{2g\,dt^2} = 1 - \frac QL,\\
-\text{V.}\ \frac{dd\omega}{2g\,dt^2} = \frac{-Mc\,\omega - Pa + Qa}{M(kk+cc)}{{entry minus_again}}.
-\end{gathered} \tag{1} $$
+$$ \begin{aligned}
+\text{I.}&\quad \frac{b\,dd\eta}{2g\,dt^2} = -\frac{P\eta}L,\\
+\text{II.}&\quad {-\frac{a\,dd\omega}{2g\,dt^2}} = 1{{entry unity}} - \frac PL,\\
+\text{III.}&\quad {-\frac{b\,dd\vartheta}{2g\,dt^2}} = +\frac{Q\vartheta}L,\\
+\text{IV.}&\quad {+\frac{a\,dd\omega}{2g\,dt^2}} = 1 - \frac QL,\\
+\text{V.}&\quad \frac{dd\omega}{2g\,dt^2} = \frac{-Mc\,\omega - Pa + Qa}{M(kk+cc)}{{entry minus_again}}.
+\end{aligned} \tag{1} $$
 
 The second and the fourth give both tensions at once:
 

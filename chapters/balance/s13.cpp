@@ -13,10 +13,11 @@ With the tensions of {{sec balance.12}} put in, three equations are left for the
 $P = L + La\,dd\omega:2g\,dt^2$ and $Q = L - La\,dd\omega:2g\,dt^2$,
 
 $$ \begin{aligned}
-\text{I.}&\quad \frac{b\,dd\eta}{2g\,dt^2} = -\eta
+\text{I.}&\ \frac{b\,dd\eta}{2g\,dt^2} = -\eta
    - \frac{a{{entry lost_a}}\,\eta\,dd\omega}{2g\,dt^2},\\
-\text{III.}&\quad {-\frac{b\,dd\vartheta}{2g\,dt^2}} = \vartheta - \frac{a\,\vartheta\,dd\omega}{2g\,dt^2},\\
-\text{V.}&\quad \frac{M(kk+cc)\,dd\omega + 2La\,a\,dd\omega}{2g\,dt^2} = -Mc\,\omega. \end{aligned} \tag{1} $$
+\text{III.}&\ {-\frac{b\,dd\vartheta}{2g\,dt^2}} = \vartheta - \frac{a\,\vartheta\,dd\omega}{2g\,dt^2},\\
+\text{V.}&\ \frac{M(kk+cc)\,dd\omega + 2La\,a\,dd\omega}{2g\,dt^2}\\
+ &\qquad = -Mc\,\omega. \end{aligned} \tag{1} $$
 
 The last has ω alone. What the tensions have above or below the weights of the pans is as if these weights
 were fixed to $A$ and $B$; they only make the beam more sluggish. The first two are those of a pendulum whose
@@ -28,12 +29,12 @@ products are kept, all must be; and three more have been dropped, with the squar
 set aside:
 
 $$ \begin{aligned}
-\text{I.}&\quad \frac{b\ddot\eta}{2g} = -\eta - \frac{a\eta\ddot\omega}{2g}
+\text{I.}&\ \frac{b\ddot\eta}{2g} = -\eta - \frac{a\eta\ddot\omega}{2g}
   + \frac a{2g}\frac{d^2}{dt^2}\frac{\omega\omega}2,\\
-\text{III.}&\quad {-\frac{b\ddot\vartheta}{2g}} = \vartheta - \frac{a\vartheta\ddot\omega}{2g}
+\text{III.}&\ {-\frac{b\ddot\vartheta}{2g}} = \vartheta - \frac{a\vartheta\ddot\omega}{2g}
   + \frac a{2g}\frac{d^2}{dt^2}\frac{\omega\omega}2,\\
-\text{V.}&\quad \frac{I\ddot\omega}{2g} = -Mc\,\omega + \frac{Lab}{2g}
-  \Bigl[\omega(\ddot\eta-\ddot\vartheta) - \frac{d^2}{dt^2}\frac{\eta\eta-\vartheta\vartheta}2\Bigr].
+\text{V.}&\ \frac{I\ddot\omega}{2g} = -Mc\,\omega + \frac{Lab}{2g}\Bigl[\omega(\ddot\eta-\ddot\vartheta)\\
+  &\qquad - \frac{d^2}{dt^2}\frac{\eta\eta-\vartheta\vartheta}2\Bigr].
 \end{aligned} \tag{A} $$
 
 Here $I = M(kk+cc)+2Laa$. The first new term is the acceleration with which $A$ moves sideways on its arc.
@@ -52,7 +53,7 @@ trains of waves. The kept one has in η the amplitudes $imn:(2\mu\mp\lambda)$ at
 $\mu\mp\lambda$; the dropped one has
 
 $$ F = \frac ab\,\frac{\lambda\lambda mm}{\mu\mu-4\lambda\lambda}
-   \quad\text{at the frequency } 2\lambda. \tag{B} $$
+   \quad\text{at } 2\lambda. \tag{B} $$
 
 Where $\mu = 3\lambda$, as in Euler's example, $\mu - \lambda$ is $2\lambda$. The two fall on each other
 with opposite signs, and if $m = n$ the dropped one is exactly twice the other.

@@ -12,8 +12,8 @@ using namespace balance;
 The last of the three equations has no other variable than ω and the time, so that the reckoning begins with
 it. Put for brevity
 
-$$ f = \frac{M(kk+cc) + 2Laa}{Mc}, \qquad\text{so that}\quad
-   \frac{f\,dd\omega}{2g\,dt^2} + \omega = 0. \tag{1} $$
+$$ \begin{gathered} f = \frac{M(kk+cc) + 2Laa}{Mc},\\
+   \text{so that}\quad \frac{f\,dd\omega}{2g\,dt^2} + \omega = 0. \end{gathered} \tag{1} $$
 
 So the beam swings like a simple pendulum of the length $f$, and
 
@@ -43,7 +43,8 @@ adding anything to what drives it back.
 As a function of $c$ the length has a least value. By {{eq 4}} it is $c + q:c$ with $q = kk + 2Laa:M$, and
 since $(c + q:c)^2 - 4q = (c - q:c)^2$,
 
-$$ f \geq 2\sqrt{kk + \frac{2Laa}M}, \quad\text{equal at}\quad c = \sqrt{kk + \frac{2Laa}M}. \tag{A} $$
+$$ \begin{gathered} f \geq 2\sqrt{kk + \frac{2Laa}M},\\
+   \text{equal at}\quad c = \sqrt{kk + \frac{2Laa}M}. \end{gathered} \tag{A} $$
 
 No beam can be quick that bears heavy pans on long arms, wherever its centre of gravity is put; a
 small $c$ makes it slow without limit.

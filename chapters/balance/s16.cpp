@@ -13,8 +13,8 @@ using namespace balance;
 To determine the motion of the pans more accurately, the known motion of the beam is put into their equations.
 Two letters make it shorter. Let
 
-$$ \sqrt{\frac{2g}f}{{entry root_of_lambda}} = \lambda, \quad\text{so that}\quad
-   \omega = \mathfrak C\sin(\gamma+\lambda t); \tag{1} $$
+$$ \begin{gathered} \sqrt{\frac{2g}f}{{entry root_of_lambda}} = \lambda, \quad\text{so that}\\
+   \omega = \mathfrak C\sin(\gamma+\lambda t); \end{gathered} \tag{1} $$
 
 then
 
@@ -46,8 +46,8 @@ can do it again. The second time the product contains, among its waves, one of t
 pendulum driven at its own frequency answers with a swing that grows as the time. To
 $\mathfrak A\cos\mu t$, which is {{sec balance.15}}'s with α = 90°, there comes
 
-$$ \mathfrak A\,\delta t\sin\mu t, \qquad
-   \delta = \frac{\mu^3}{4(4\mu\mu-\lambda\lambda)}\Bigl(\frac{a\mathfrak C}f\Bigr)^{\!2}. \tag{A} $$
+$$ \mathfrak A\,\delta t\sin\mu t, \quad
+   \delta = \frac{\mu^3(a\mathfrak C:f)^2}{4(4\mu\mu-\lambda\lambda)}. \tag{A} $$
 
 It is no growth: $\cos\mu t + \delta t\sin\mu t$ is the beginning of $\cos(\mu-\delta)t$. The iteration
 reports in its own way that the pan is a little slower than μ, in proportion to the square of the beam's pull.

@@ -18,14 +18,14 @@ $$ \eta = \mathfrak A\sin(\alpha+\mu t) + p \tag{1} $$
 and puts this into the equation of {{sec balance.16}}. The main parts cancel. In the product of the pan's
 angle and the beam's he leaves $p$ out, for that would be smaller by one more order, and so gets
 
-$$ \frac{ddp}{\mu\mu\,dt^2} = -p + \frac{a\mathfrak A\mathfrak C{{entry lost_amplitude}}}f
-  \sin(\alpha+\mu t)\sin(\gamma+\lambda t). \tag{2} $$
+$$ \begin{aligned} \frac{ddp}{\mu\mu\,dt^2} = -p &+ \frac{a\mathfrak A\mathfrak C{{entry lost_amplitude}}}f
+  \sin(\alpha+\mu t)\\ &\qquad\times\sin(\gamma+\lambda t). \end{aligned} \tag{2} $$
 
 The product of the two sines is half the cosine of their difference less half the cosine of their sum. So he
 tries
 
-$$ p = \tfrac12M\cos\bigl(\alpha-\gamma+(\mu-\lambda)t\bigr)
-     + \tfrac12N\cos\bigl(\alpha+\gamma+(\mu+\lambda)t\bigr), \tag{3} $$
+$$ \begin{aligned} p = {}&\tfrac12M\cos\bigl(\alpha-\gamma+(\mu-\lambda)t\bigr)\\
+     &+ \tfrac12N\cos\bigl(\alpha+\gamma+(\mu+\lambda)t\bigr), \end{aligned} \tag{3} $$
 
 where $M$ is not the weight of the beam. Each of the two cosines must satisfy the equation by itself:
 

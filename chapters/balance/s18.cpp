@@ -18,10 +18,11 @@ and differs from that of {{sec balance.17}} only in having $-a$ where $+a$ stood
 $-a$, and the constants $\mathfrak A$ and α (our copy has $a$ for α) by two others, $\mathfrak B$ and β,
 since another pan has its own. The corrected angle is
 
-$$ \begin{aligned} \vartheta = \mathfrak B\sin(\beta+\mu t)
- &- \frac{\mu\mu a\mathfrak B\mathfrak C}{2\lambda(2\mu-\lambda)f}
-  \cos\bigl(\beta-\gamma+(\mu-\lambda)t\bigr)\\
- &- \frac{\mu\mu a\mathfrak B\mathfrak C}{2\lambda(2\mu+\lambda)f}\cos\bigl(\beta+\gamma+(\mu+\lambda)t\bigr),
+$$ \begin{aligned} \vartheta = {}&\mathfrak B\sin(\beta+\mu t)\\
+ &- \frac{\mu\mu a\mathfrak B\mathfrak C}{2\lambda(2\mu-\lambda)f}\\
+ &\quad\times\cos\bigl(\beta-\gamma+(\mu-\lambda)t\bigr)\\
+ &- \frac{\mu\mu a\mathfrak B\mathfrak C}{2\lambda(2\mu+\lambda)f}\\
+ &\quad\times\cos\bigl(\beta+\gamma+(\mu+\lambda)t\bigr),
 \end{aligned} \tag{2} $$
 
 while the beam keeps $\omega = \mathfrak C\sin(\gamma+\lambda t)$.
@@ -36,7 +37,8 @@ period of the beam later they have changed parts: $\sin(\gamma + \lambda t)$ has
 replace $a$ by $-a$ is the same as to count the time from another moment. The two pans have the same fate,
 only not at the same time:
 
-$$ \vartheta\text{ with }(\beta,\gamma) = \eta\text{ with }(\alpha = \beta,\;\gamma + \pi). \tag{A} $$
+$$ \begin{gathered} \vartheta\text{ with }(\beta,\gamma)\\
+   {} = \eta\text{ with }(\alpha = \beta,\;\gamma + \pi). \end{gathered} \tag{A} $$
 
 ## The program
 

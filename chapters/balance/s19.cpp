@@ -29,13 +29,15 @@ $$ H = \frac{\lambda\mu\mu a\,\mathfrak C}{4g\,(4\mu\mu-\lambda\lambda)}, \tag{A
 then at $t = 0$
 
 $$ \begin{aligned}
-\eta &= (1 + 2\lambda H\sin\gamma)\,s + 4\mu H\cos\gamma\,r,\\
-\frac{d\eta}{dt} &= -(4\mu\mu-2\lambda\lambda)H\cos\gamma\,s + \mu\,(1 - 2\lambda H\sin\gamma)\,r,
+\eta &= (1 + 2\lambda H\sin\gamma)\,s\\ &\quad + 4\mu H\cos\gamma\,r,\\
+\frac{d\eta}{dt} &= -(4\mu\mu-2\lambda\lambda)H\cos\gamma\,s\\
+   &\quad + \mu\,(1 - 2\lambda H\sin\gamma)\,r,
 \end{aligned} \tag{B} $$
 
 and for Q the same with $-H$. Two equations with two unknowns; they have a solution if their determinant,
 
-$$ \mu\bigl[1 - 4\lambda\lambda HH\sin^2\gamma + 8(2\mu\mu-\lambda\lambda)HH\cos^2\gamma\bigr], \tag{C} $$
+$$ \begin{aligned} \mu\bigl[1 &- 4\lambda\lambda HH\sin^2\gamma\\
+   &+ 8(2\mu\mu-\lambda\lambda)HH\cos^2\gamma\bigr], \end{aligned} \tag{C} $$
 
 is not zero. It contains $H$ by its square only and is the same for both pans. For a slow beam it is nearly μ.
 Near $\lambda = 2\mu$, where $H$ has no bound, it passes through zero: there are states from which no motion

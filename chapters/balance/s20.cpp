@@ -14,18 +14,18 @@ To meet the six conditions the angular velocities are needed at any time $t$ as 
 found by differentiating what {{sec balance.17}} and {{sec balance.18}} have:
 
 $$ \begin{aligned}
-\frac{d\eta}{dt} = \mu\mathfrak A\cos(\alpha+\mu t)
- &- \frac{\mu\mu(\mu-\lambda)a\mathfrak A\mathfrak C}{2\lambda(2\mu-\lambda)f}
-    \sin\bigl(\alpha-\gamma+(\mu-\lambda)t\bigr)\\
- &- \frac{\mu\mu(\mu+\lambda)a\mathfrak A\mathfrak C}{2\lambda(2\mu+\lambda)f}
-    \sin\bigl(\alpha+\gamma+(\mu+\lambda)t\bigr), \end{aligned} \tag{1} $$
+\frac{d\eta}{dt} = {}&\mu\mathfrak A\cos(\alpha+\mu t)\\
+ &- \frac{\mu\mu(\mu-\lambda)a\mathfrak A\mathfrak C}{2\lambda(2\mu-\lambda)f}\\
+ &\quad\times\sin\bigl(\alpha-\gamma+(\mu-\lambda)t\bigr)\\
+ &- \frac{\mu\mu(\mu+\lambda)a\mathfrak A\mathfrak C}{2\lambda(2\mu+\lambda)f}\\
+ &\quad\times\sin\bigl(\alpha+\gamma+(\mu+\lambda)t\bigr), \end{aligned} \tag{1} $$
 
 $$ \begin{aligned}
-\frac{d\vartheta}{dt} = \mu\mathfrak B\cos(\beta+\mu t)
- &+ \frac{\mu\mu(\mu-\lambda)a\mathfrak B\mathfrak C}{2\lambda(2\mu-\lambda)f}
-    \sin\bigl(\beta-\gamma+(\mu-\lambda)t\bigr)\\
- &+ \frac{\mu\mu(\mu+\lambda)a\mathfrak B\mathfrak C}{2\lambda(2\mu+\lambda)f}
-    \sin\bigl(\beta+\gamma+(\mu+\lambda)t\bigr), \end{aligned} \tag{2} $$
+\frac{d\vartheta}{dt} = {}&\mu\mathfrak B\cos(\beta+\mu t)\\
+ &+ \frac{\mu\mu(\mu-\lambda)a\mathfrak B\mathfrak C}{2\lambda(2\mu-\lambda)f}\\
+ &\quad\times\sin\bigl(\beta-\gamma+(\mu-\lambda)t\bigr)\\
+ &+ \frac{\mu\mu(\mu+\lambda)a\mathfrak B\mathfrak C}{2\lambda(2\mu+\lambda)f}\\
+ &\quad\times\sin\bigl(\beta+\gamma+(\mu+\lambda)t\bigr), \end{aligned} \tag{2} $$
 
 $$ \frac{d\omega}{dt} = \lambda\mathfrak C\cos(\gamma+\lambda t). \tag{3} $$
 

@@ -14,7 +14,7 @@ using namespace balance;
 If the centre of motion $C$ were the centre of gravity itself, the beam could take up no swing at all, for it
 would be in equilibrium in every position. This was noted before ({{sec balance.14}}): then
 
-$$ c = 0, \qquad f = \infty, \qquad \lambda = \sqrt{\frac{2g}f} = 0. \tag{1} $$
+$$ c = 0, \quad f = \infty, \quad \lambda = \sqrt{\frac{2g}f} = 0. \tag{1} $$
 
 Then both pans could swing apart, neither being disturbed by the other. The formulae show it plainly, says
 Euler, as the members that the beam's motion has added vanish. There remain
@@ -38,9 +38,9 @@ An imaginary λ takes nothing from the formulae. With $\kappa = \sqrt{-2g:f}$ an
 the beam's sines and cosines become hyperbolic. For a beam let go at $m$ and a pan at $n$, both from rest,
 
 $$ \begin{gathered}
-\omega = m\cosh\kappa t, \qquad K' = \frac ab\,\frac{\kappa\kappa m}{4\mu\mu+\kappa\kappa},\\
-\begin{aligned} \eta = \frac n{1-K'}\Bigl[\cos\mu t &- K'\cos\mu t\cosh\kappa t\\
-  &- \frac{2\mu K'}\kappa\sin\mu t\sinh\kappa t\Bigr], \end{aligned}
+\omega = m\cosh\kappa t,\\ K' = \frac ab\,\frac{\kappa\kappa m}{4\mu\mu+\kappa\kappa},\\
+\begin{aligned} \eta = {}&\frac n{1-K'}\Bigl[\cos\mu t\\ &\quad - K'\cos\mu t\cosh\kappa t\\
+  &\quad - \frac{2\mu K'}\kappa\sin\mu t\sinh\kappa t\Bigr], \end{aligned}
 \end{gathered} \tag{A} $$
 
 and ϑ has $n'$ and $-K'$. All of it is real, and right as long as ω is small.
@@ -59,8 +59,8 @@ And is it true that a beam with $c = 0$ remains at rest while the pans swing? To
 second the pulls of two unequally swinging pans do not balance; with the bracket of {{sec balance.13}}, the
 beam being let go at $m$ and $\rho = Laa:I$,
 
-$$ \begin{aligned} \omega - m = \rho\,\frac ba\Bigl[&m(\eta-n) - m(\vartheta-n')\\
-   &- \tfrac12(\eta\eta-nn) + \tfrac12(\vartheta\vartheta-n'n')\Bigr]. \end{aligned} \tag{C} $$
+$$ \begin{aligned} \omega - m = \rho\,\frac ba\Bigl[&m(\eta-n)\\ &- m(\vartheta-n')\\
+   &- \tfrac12(\eta\eta-nn)\\ &+ \tfrac12(\vartheta\vartheta-n'n')\Bigr]. \end{aligned} \tag{C} $$
 
 The beam trembles in the rhythm of the pans. At the third order it does more. When it stands inclined, two
 pans that swing against each other swing a little faster, by the factor $1 + \rho\omega\omega$, because the

@@ -12,7 +12,7 @@ using namespace balance;
 For the rest of the paper the beam is let go from an inclination: at the start $\omega=m$, and it is at rest.
 So at $t=0$
 
-$$ m = \mathfrak C\sin\gamma, \qquad \frac{d\omega}{dt} = \lambda\,\mathfrak C\cos\gamma = 0, \tag{1} $$
+$$ m = \mathfrak C\sin\gamma, \quad \frac{d\omega}{dt} = \lambda\,\mathfrak C\cos\gamma = 0, \tag{1} $$
 
 whence $\gamma = 90° = \frac\pi2$ and $\mathfrak C = m$, that is
 

@@ -18,29 +18,37 @@ $$ \frac{\mu\mu a\,\mathfrak A\mathfrak C}{2\lambda(2\mu\mp\lambda)f}
 So
 
 $$ \begin{aligned}
-\eta = \mathfrak A\sin(\alpha+\mu t)
- &+ \frac{\lambda\mu\mu a\,\mathfrak Am}{4g(2\mu-\lambda)}\cos\bigl(\alpha-\tfrac\pi2+(\mu-\lambda)t\bigr)\\
- &+ \frac{\lambda\mu\mu a\,\mathfrak Am}{4g(2\mu+\lambda)}\cos\bigl(\alpha+\tfrac\pi2+(\mu+\lambda)t\bigr),
+\eta = {}&\mathfrak A\sin(\alpha+\mu t)\\
+ &+ \frac{\lambda\mu\mu a\,\mathfrak Am}{4g(2\mu-\lambda)}\\
+ &\quad\times\cos\bigl(\alpha-\tfrac\pi2+(\mu-\lambda)t\bigr)\\
+ &+ \frac{\lambda\mu\mu a\,\mathfrak Am}{4g(2\mu+\lambda)}\\
+ &\quad\times\cos\bigl(\alpha+\tfrac\pi2+(\mu+\lambda)t\bigr),
 \end{aligned} \tag{2} $$
 
 and ϑ has $\mathfrak B$, β and the opposite signs. As $\cos(x-90°) = \sin x$ and $\cos(x+90°)=-\sin x$, this
 becomes somewhat neater:
 
 $$ \begin{aligned}
-\eta = \mathfrak A\sin(\alpha+\mu t)
- &+ \frac{\lambda\mu\mu a\,\mathfrak Am}{4g(2\mu-\lambda)}\sin\bigl(\alpha+(\mu-\lambda)t\bigr)\\
- &- \frac{\lambda\mu\mu a\,\mathfrak Am}{4g(2\mu+\lambda)}\sin\bigl(\alpha+(\mu+\lambda)t\bigr),\\
-\vartheta = \mathfrak B\sin(\beta+\mu t)
- &- \frac{\lambda\mu\mu a\,\mathfrak Bm}{4g(2\mu-\lambda)}\sin\bigl(\beta+(\mu-\lambda)t\bigr)\\
- &+ \frac{\lambda\mu\mu a\,\mathfrak Bm}{4g(2\mu+\lambda)}\sin\bigl(\beta+(\mu+\lambda)t\bigr).
+\eta = {}&\mathfrak A\sin(\alpha+\mu t)\\
+ &+ \frac{\lambda\mu\mu a\,\mathfrak Am}{4g(2\mu-\lambda)}\\
+ &\quad\times\sin\bigl(\alpha+(\mu-\lambda)t\bigr)\\
+ &- \frac{\lambda\mu\mu a\,\mathfrak Am}{4g(2\mu+\lambda)}\\
+ &\quad\times\sin\bigl(\alpha+(\mu+\lambda)t\bigr),\\
+\vartheta = {}&\mathfrak B\sin(\beta+\mu t)\\
+ &- \frac{\lambda\mu\mu a\,\mathfrak Bm}{4g(2\mu-\lambda)}\\
+ &\quad\times\sin\bigl(\beta+(\mu-\lambda)t\bigr)\\
+ &+ \frac{\lambda\mu\mu a\,\mathfrak Bm}{4g(2\mu+\lambda)}\\
+ &\quad\times\sin\bigl(\beta+(\mu+\lambda)t\bigr).
 \end{aligned} \tag{3} $$
 
 From them he takes the angular velocities:
 
 $$ \begin{aligned}
-\frac{d\eta}{dt} = \mu\mathfrak A\cos(\alpha+\mu t)
- &+ \frac{\lambda(\mu-\lambda)\mu\mu a\,\mathfrak Am}{4g(2\mu-\lambda)}\cos\bigl(\alpha+(\mu-\lambda)t\bigr)\\
- &- \frac{\lambda(\mu+\lambda)\mu\mu a\,\mathfrak Am}{4g(2\mu+\lambda)}\cos\bigl(\alpha+(\mu+\lambda)t\bigr),
+\frac{d\eta}{dt} = {}&\mu\mathfrak A\cos(\alpha+\mu t)\\
+ &+ \frac{\lambda(\mu-\lambda)\mu\mu a\,\mathfrak Am}{4g(2\mu-\lambda)}\\
+ &\quad\times\cos\bigl(\alpha+(\mu-\lambda)t\bigr)\\
+ &- \frac{\lambda(\mu+\lambda)\mu\mu a\,\mathfrak Am}{4g(2\mu+\lambda)}\\
+ &\quad\times\cos\bigl(\alpha+(\mu+\lambda)t\bigr),
 \end{aligned} \tag{4} $$
 
 and $d\vartheta:dt$ likewise with $\mathfrak B$, β and the opposite signs of the last two terms.
@@ -48,9 +56,9 @@ and $d\vartheta:dt$ likewise with $\mathfrak B$, β and the opposite signs of th
 What do two side tones do to a swing? Together they are a swing of the pan's own frequency that waxes and
 wanes, and one a quarter of a swing away from it:
 
-$$ \begin{aligned} \eta &= \mathfrak A(1+K\cos\lambda t)\sin(\alpha+\mu t)
-   - \mathfrak A\,H\sin\lambda t\cos(\alpha+\mu t),\\
-   K &= \frac{\lambda\lambda\mu\mu am}{2g(4\mu\mu-\lambda\lambda)}, \qquad H = \frac{2\mu}\lambda K.
+$$ \begin{aligned} \eta &= \mathfrak A(1+K\cos\lambda t)\sin(\alpha+\mu t)\\
+   &\quad - \mathfrak A\,H\sin\lambda t\cos(\alpha+\mu t),\\
+   K &= \frac{\lambda\lambda\mu\mu am}{2g(4\mu\mu-\lambda\lambda)}, \quad H = \frac{2\mu}\lambda K.
    \end{aligned} \tag{A} $$
 
 The first of them alters the swing's width, by the $K$ of {{sec balance.26}}; the second its phase, by

@@ -16,14 +16,18 @@ both $d\eta:dt$ and $d\vartheta:dt$. When $t = 0$ is put into the formulae, and 
 $\mathfrak A$ or $\mathfrak B$, the last two also by $\mu$, they say {{entry quarter}}
 
 $$ \begin{aligned}
-\text{I.}\quad 0 &= \sin\alpha + \frac{\lambda\mu\mu am}{4g(2\mu-\lambda)}\sin\alpha
-  - \frac{\lambda\mu\mu am}{4g(2\mu+\lambda)}\sin\alpha,\\
-\text{II.}\quad 0 &= \sin\beta - \frac{\lambda\mu\mu am}{4g(2\mu-\lambda)}\sin\beta
-  + \frac{\lambda\mu\mu am}{4g(2\mu+\lambda)}\sin\beta,\\
-\text{III.}\quad 0 &= \cos\alpha + \frac{\lambda(\mu-\lambda)\mu am}{4g(2\mu-\lambda)}\cos\alpha
-  - \frac{\lambda(\mu+\lambda)\mu am}{4g(2\mu+\lambda)}\cos\alpha,\\
-\text{IV.}\quad 0 &= \cos\beta - \frac{\lambda(\mu-\lambda)\mu am}{4g(2\mu-\lambda)}\cos\beta
-  + \frac{\lambda(\mu+\lambda)\mu am}{4g(2\mu+\lambda)}\cos\beta.
+\text{I.}&\quad 0 = \sin\alpha\\
+ &\quad + \frac{\lambda\mu\mu am}{4g(2\mu-\lambda)}\sin\alpha\\
+ &\quad - \frac{\lambda\mu\mu am}{4g(2\mu+\lambda)}\sin\alpha,\\
+\text{II.}&\quad 0 = \sin\beta\\
+ &\quad - \frac{\lambda\mu\mu am}{4g(2\mu-\lambda)}\sin\beta\\
+ &\quad + \frac{\lambda\mu\mu am}{4g(2\mu+\lambda)}\sin\beta,\\
+\text{III.}&\quad 0 = \cos\alpha\\
+ &\quad + \frac{\lambda(\mu-\lambda)\mu am}{4g(2\mu-\lambda)}\cos\alpha\\
+ &\quad - \frac{\lambda(\mu+\lambda)\mu am}{4g(2\mu+\lambda)}\cos\alpha,\\
+\text{IV.}&\quad 0 = \cos\beta\\
+ &\quad - \frac{\lambda(\mu-\lambda)\mu am}{4g(2\mu-\lambda)}\cos\beta\\
+ &\quad + \frac{\lambda(\mu+\lambda)\mu am}{4g(2\mu+\lambda)}\cos\beta.
 \end{aligned} \tag{1} $$
 
 Each pair of fractions can be drawn together, since
@@ -36,9 +40,9 @@ $$ \begin{aligned}
 So one and the same fraction {{entry four_squares}} stands in all four, with alternating signs:
 
 $$ \begin{aligned}
-\text{I.}\quad 0 &= \sin\alpha\,(1 + K), & \text{III.}\quad 0 &= \cos\alpha\,(1 - K),\\
-\text{II.}\quad 0 &= \sin\beta\,(1 - K), & \text{IV.}\quad 0 &= \cos\beta\,(1 + K),\\
-&& K &= \frac{\lambda\lambda\mu\mu am}{2g(4\mu\mu-\lambda\lambda)}. \end{aligned} \tag{3} $$
+\text{I.}&\quad 0 = \sin\alpha\,(1 + K),\\ \text{II.}&\quad 0 = \sin\beta\,(1 - K),\\
+\text{III.}&\quad 0 = \cos\alpha\,(1 - K),\\ \text{IV.}&\quad 0 = \cos\beta\,(1 + K),\\
+K &= \frac{\lambda\lambda\mu\mu am}{2g(4\mu\mu-\lambda\lambda)}. \end{aligned} \tag{3} $$
 
 It seems, he says, that they can be met in several ways; the next section runs through some of them. The
 letter $K$ is ours; he writes the fraction out each time.

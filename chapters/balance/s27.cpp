@@ -12,14 +12,14 @@ using namespace balance;
 The four conditions of {{sec balance.26}} cannot all be met, whatever the phases. If α = 0 and β = 0, the
 first two are; the others become
 
-$$ \text{III.}\quad 0 = 1 - K, \qquad \text{IV.}\quad 0 = 1 + K, \tag{1} $$
+$$ \text{III.}\ 0 = 1 - K, \qquad \text{IV.}\ 0 = 1 + K, \tag{1} $$
 
 which is impossible, since their sum is $0 = 2$. The same happens with α = 90° and β = 90°: then the last two
 are met, and I and II become $0 = 1 + K$ {{entry angle_m}} and $0 = 1 - K$. In general, too, there arises
 such an absurdity, for
 
-$$ \begin{aligned} \text{I}\cdot\sin\beta + \text{II}\cdot\sin\alpha:&\quad 0 = 2\sin\alpha\sin\beta,\\
-\text{III}\cdot\cos\beta + \text{IV}\cdot\cos\alpha:&\quad 0 = 2\cos\alpha\cos\beta, \end{aligned} \tag{2} $$
+$$ \begin{aligned} \text{I}\cdot\sin\beta + \text{II}\cdot\sin\alpha:&\\ 0 = 2&\sin\alpha\sin\beta,\\
+\text{III}\cdot\cos\beta + \text{IV}\cdot\cos\alpha:&\\ 0 = 2&\cos\alpha\cos\beta, \end{aligned} \tag{2} $$
 
 and both at once, he says, cannot be {{entry both_products}}.
 

@@ -22,8 +22,8 @@ the second order, but have dropped a term that is of the same order and does not
 With it
 
 $$ \begin{gathered} \frac{d^2\eta}{dt^2} + \mu\mu\eta = \frac{a}{b}\,\frac{d^2}{dt^2}\frac{\omega\omega}2,\\
-   \eta = -F(\cos2\lambda t - \cos\mu t),
-   \qquad F = \frac ab\,\frac{\lambda\lambda mm}{\mu\mu-4\lambda\lambda},
+   \eta = -F(\cos2\lambda t - \cos\mu t),\\
+   F = \frac ab\,\frac{\lambda\lambda mm}{\mu\mu-4\lambda\lambda},
 \end{gathered} \tag{A} $$
 
 and $\vartheta = -\eta$: the pans open and close together. At $\mu = 2\lambda$ the divisor vanishes, and the

@@ -23,12 +23,14 @@ $$ n = \mathfrak A + \frac{\lambda\lambda\mu\mu a\,\mathfrak Am}{2g(4\mu\mu-\lam
 and from it $\mathfrak A$, which is very nearly $n$ {{entry value_n}}. So the motion of the pan is, the sines
 of $90°+x$ being cosines,
 
-$$ \begin{aligned} \eta = n\cos\mu t &+ \frac{\lambda\mu\mu amn}{4g(2\mu-\lambda)}\cos(\mu-\lambda)t\\
+$$ \begin{aligned} \eta = {}&n\cos\mu t\\
+ &+ \frac{\lambda\mu\mu amn}{4g(2\mu-\lambda)}\cos(\mu-\lambda)t\\
    &- \frac{\lambda\mu\mu amn}{4g(2\mu+\lambda)}\cos(\mu+\lambda)t, \end{aligned} \tag{3} $$
 
-$$ \begin{aligned} \frac{d\eta}{dt} = -\mu n\sin\mu t
-   &- \frac{\lambda(\mu-\lambda)\mu\mu amn}{4g(2\mu-\lambda)}\sin(\mu-\lambda)t\\
-   &+ \frac{\lambda(\mu+\lambda)\mu\mu amn}{4g(2\mu+\lambda)}\sin(\mu+\lambda)t. {{entry last_member}}
+$$ \begin{aligned} \frac{d\eta}{dt} = {}&{-\mu n}\sin\mu t\\
+   &- \frac{\lambda(\mu-\lambda)\mu\mu amn}{4g(2\mu-\lambda)}\\ &\quad\times\sin(\mu-\lambda)t\\
+   &+ \frac{\lambda(\mu+\lambda)\mu\mu amn}{4g(2\mu+\lambda)}\\
+ &\quad\times\sin(\mu+\lambda)t. {{entry last_member}}
    \end{aligned} \tag{4} $$
 
 The motion of this pan is then no longer regular, and departs from that of a simple pendulum by the more, the

@@ -22,10 +22,10 @@ $$ \mathfrak A = n, \qquad \mathfrak B = n'. {{entry constant_B}} \tag{2} $$
 
 So he gets for the two pans
 
-$$ \begin{aligned} \eta = n\cos\mu t &+ \frac{\lambda\mu\mu amn}{4g(2\mu-\lambda)}\cos(\mu-\lambda)t
-   - \frac{\lambda\mu\mu amn}{4g(2\mu+\lambda)}\cos(\mu+\lambda)t,\\
- \vartheta = n'\cos\mu t &- \frac{\lambda\mu\mu amn'}{4g(2\mu-\lambda)}\cos(\mu-\lambda)t
-   + \frac{\lambda\mu\mu amn'}{4g(2\mu+\lambda)}\cos(\mu+\lambda)t. {{entry four_g}} \end{aligned} \tag{3} $$
+$$ \begin{aligned} \eta = {}&n\cos\mu t\\ &+ \frac{\lambda\mu\mu amn}{4g(2\mu-\lambda)}\cos(\mu-\lambda)t\\
+   &- \frac{\lambda\mu\mu amn}{4g(2\mu+\lambda)}\cos(\mu+\lambda)t,\\
+ \vartheta = {}&n'\cos\mu t\\ &- \frac{\lambda\mu\mu amn'}{4g(2\mu-\lambda)}\cos(\mu-\lambda)t\\
+   &+ \frac{\lambda\mu\mu amn'}{4g(2\mu+\lambda)}\cos(\mu+\lambda)t. {{entry four_g}} \end{aligned} \tag{3} $$
 
 What was "very nearly" two sections ago is now simply so. At $t = 0$ the formulae give $n(1+K)$ and $n'(1-K)$,
 $K$ being that of {{sec balance.26}}; to start at $n$ and $n'$ they need

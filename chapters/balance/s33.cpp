@@ -16,21 +16,21 @@ $$ i = \frac{\lambda\mu\mu a}{4g}. \tag{1} $$
 Then beam and pans move so:
 
 $$ \begin{aligned}
-\eta &= n\cos\mu t + \frac{imn}{2\mu-\lambda}\cos(\mu-\lambda)t -
-\frac{imn}{2\mu+\lambda}\cos(\mu+\lambda)t,\\
-\vartheta &= n'\cos\mu t - \frac{imn'}{2\mu-\lambda}\cos(\mu-\lambda)t
-  + \frac{imn'}{2\mu+\lambda}\cos(\mu+\lambda)t,\\
+\eta &= n\cos\mu t + \frac{imn}{2\mu-\lambda}\cos(\mu-\lambda)t\\
+  &\qquad - \frac{imn}{2\mu+\lambda}\cos(\mu+\lambda)t,\\
+\vartheta &= n'\cos\mu t - \frac{imn'}{2\mu-\lambda}\cos(\mu-\lambda)t\\
+  &\qquad + \frac{imn'}{2\mu+\lambda}\cos(\mu+\lambda)t,\\
 \omega &= m\cos\lambda t,
 \end{aligned} \tag{2} $$
 
 and with these speeds {{entry second_member}}:
 
 $$ \begin{aligned}
-\frac{d\eta}{dt} &= -\mu n\sin\mu t - \frac{(\mu-\lambda)imn}{2\mu-\lambda}\sin(\mu-\lambda)t\\
-  &\qquad + \frac{(\mu+\lambda)imn}{2\mu+\lambda}\sin(\mu+\lambda)t,\\
-\frac{d\vartheta}{dt} &= -\mu n'\sin\mu t + \frac{(\mu-\lambda)imn'}{2\mu-\lambda}\sin(\mu-\lambda)t\\
-  &\qquad - \frac{(\mu+\lambda)imn'}{2\mu+\lambda}\sin(\mu+\lambda)t,\\
-\frac{d\omega}{dt} &= -\lambda m\sin\lambda t.
+\frac{d\eta}{dt} = {}&{-\mu n}\sin\mu t\\ &- \frac{(\mu-\lambda)imn}{2\mu-\lambda}\sin(\mu-\lambda)t\\
+  &+ \frac{(\mu+\lambda)imn}{2\mu+\lambda}\sin(\mu+\lambda)t,\\
+\frac{d\vartheta}{dt} = {}&{-\mu n'}\sin\mu t\\ &+ \frac{(\mu-\lambda)imn'}{2\mu-\lambda}\sin(\mu-\lambda)t\\
+  &- \frac{(\mu+\lambda)imn'}{2\mu+\lambda}\sin(\mu+\lambda)t,\\
+\frac{d\omega}{dt} = {}&{-\lambda m}\sin\lambda t.
 \end{aligned} \tag{3} $$
 
 The number $i$ is a frequency: since $2g = \mu\mu b$, it is $a\lambda:2b$. At $t = 0$ {{eq 2}} gives not $n$

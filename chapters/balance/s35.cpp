@@ -18,12 +18,13 @@ $$ i = \frac{9a}{4g} \tag{1} $$
 {{entry i_of_two_feet}}. For the sake of easy numbers he takes $i = \tfrac14$, and for the angles $m$, $n$,
 $n'$ about ten degrees, that is, in parts of the radius, a sixth {{entry sixth}}. Then
 
-$$ \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\} = \tfrac16\cos3t
-   \pm\left(\tfrac1{720}\cos2t - \tfrac1{1008}\cos4t\right), \qquad \omega = \tfrac16\cos t, \tag{2} $$
+$$ \begin{aligned} \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\} = {}&\tfrac16\cos3t\\
+   &\pm\left(\tfrac1{720}\cos2t - \tfrac1{1008}\cos4t\right),\\ \omega = {}&\tfrac16\cos t,
+   \end{aligned} \tag{2} $$
 
-$$ \begin{gathered} \left.\begin{matrix}d\eta:dt\\ d\vartheta:dt\end{matrix}\right\} = -\tfrac12\sin3t
-   \mp\left(\tfrac1{360}\sin2t - \tfrac1{252}\sin4t\right),\\
-   \frac{d\omega}{dt} = -\tfrac16\sin t; \end{gathered} \tag{3} $$
+$$ \begin{aligned} \left.\begin{matrix}d\eta:dt\\ d\vartheta:dt\end{matrix}\right\} = {}&{-\tfrac12}\sin3t\\
+   &\mp\bigl(\tfrac1{360}\sin2t\\ &\qquad - \tfrac1{252}\sin4t\bigr),\\
+   \frac{d\omega}{dt} = {}&{-\tfrac16}\sin t; \end{aligned} \tag{3} $$
 
 only that he has $\tfrac1{1080}$ for $\tfrac1{1008}$ and $\tfrac1{270}$ {{entry slip}} for $\tfrac1{252}$. The
 second is four times the first: so he reckoned with it, and no printer has changed it. The divisor
@@ -34,8 +35,9 @@ degrees. And with $\mu = 3\lambda$ the slower of the two tones that the beam add
 is twice the beam's own frequency. That is just the tone of the term which his equations have dropped
 ({{sec balance.28}}): complete to the second order the example is, with $F = \tfrac1{360}$,
 
-$$ \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\} = \tfrac16\cos3t
-   \pm\left(-\tfrac1{720}\cos2t + \tfrac1{420}\cos3t - \tfrac1{1008}\cos4t\right). \tag{A} $$
+$$ \begin{aligned} \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\} = {}&\tfrac16\cos3t\\
+   &\pm\bigl(-\tfrac1{720}\cos2t + \tfrac1{420}\cos3t\\
+   &\qquad - \tfrac1{1008}\cos4t\bigr). \end{aligned} \tag{A} $$
 
 So the fraction $\tfrac1{720}$ has the wrong sign, and a greater one is missing.
 

@@ -15,18 +15,18 @@ at the angle $m$, the pans at $n$ and $n'$ {{entry start}}:
 
 $$ \begin{aligned}
 \omega &= m\cos\lambda t,\\
-\eta &= n\cos\mu t + \frac{imn}{2\mu-\lambda}\cos(\mu-\lambda)t
-  - \frac{imn}{2\mu+\lambda}\cos(\mu+\lambda)t,\\
-\vartheta &= n'\cos\mu t - \frac{imn'}{2\mu-\lambda}\cos(\mu-\lambda)t
-  + \frac{imn'}{2\mu+\lambda}\cos(\mu+\lambda)t,
+\eta &= n\cos\mu t + \frac{imn}{2\mu-\lambda}\cos(\mu-\lambda)t\\
+  &\qquad - \frac{imn}{2\mu+\lambda}\cos(\mu+\lambda)t,\\
+\vartheta &= n'\cos\mu t - \frac{imn'}{2\mu-\lambda}\cos(\mu-\lambda)t\\
+  &\qquad + \frac{imn'}{2\mu+\lambda}\cos(\mu+\lambda)t,
 \end{aligned} \tag{1} $$
 
 and {{sec balance.35}} chose an example: $\lambda = 1$ and $\mu = 3$, so that the pans swing three times
 while the beam swings once; $i = \tfrac14$; and for all three angles about ten degrees, a sixth of the
 radius. Then
 
-$$ \omega = \tfrac16\cos t,\qquad \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\}
- = \tfrac16\cos 3t \pm \left(\tfrac1{720}\cos 2t - \tfrac1{1008}\cos 4t\right), \tag{2} $$
+$$ \begin{aligned} \omega = {}&\tfrac16\cos t,\\ \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\}
+ = {}&\tfrac16\cos 3t\\ &\pm \left(\tfrac1{720}\cos 2t - \tfrac1{1008}\cos 4t\right), \end{aligned} \tag{2} $$
 
 only that he has $\tfrac1{1080}$ {{entry last_fraction}} for the last fraction. The time in seconds stands
 here as an angle, and one

@@ -16,9 +16,9 @@ difference, since the method leaves no room for doubt.
 It can. If $A$ and $B$ lie by $e$ lower than $C$, a tilt of the beam moves them sideways at once. The swings
 of both pans against each other keep the frequency μ; those with each other have another, σ, a root of
 
-$$ \begin{gathered} (\lambda_e^2 - \sigma^2)(\mu^2 - \sigma^2) = \varepsilon\sigma^4, \qquad
-  \varepsilon = \frac{2Le^2}{I_e},\\
-  \lambda_e^2 = \frac{2g(Mc+2Le)}{I_e}, \quad I_e = M(kk+cc) + 2L(aa+ee). \end{gathered} \tag{A} $$
+$$ \begin{gathered} (\lambda_e^2 - \sigma^2)(\mu^2 - \sigma^2) = \varepsilon\sigma^4,\\
+  \varepsilon = \frac{2Le^2}{I_e}, \quad \lambda_e^2 = \frac{2g(Mc+2Le)}{I_e},\\
+  I_e = M(kk+cc) + 2L(aa+ee). \end{gathered} \tag{A} $$
 
 A pan that swings alone is the sum of the two, and after the time $\pi : (\sigma-\mu)$ the other has its
 whole motion. However small $e$ is, nothing remains incomplete; it only takes longer, as $1 : ee$. What
