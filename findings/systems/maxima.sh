@@ -28,6 +28,8 @@ printf(true, "K.one ~a~%", safely(lambda([], elliptic_kc(1.0))))\$
 printf(true, "K.beyond ~a~%", string(elliptic_kc(1.5)))\$
 tell("Pi.quarter", [elliptic_pi(0.25, float(%pi/2), 0.25)])\$
 tell("am.ten", [jacobi_am(10.0, 0.25)])\$
+printf(true, "am.one ~a~%", safely(lambda([], jacobi_am(2.0, 1.0))))\$
+printf(true, "am.beyond ~a~%", string(safely(lambda([], jacobi_am(1.0, 1.5)))))\$
 at_swings(f) := map(lambda([e, t], f(e, t)), eta, u)\$
 printf(true, "T.1~{ ~a~}~%", at_swings(lambda([e, t], block([a: safely(lambda([], float(2/%pi * elliptic_kc(cos(e/2)^2))))], if numberp(a) then printf(false, "~,17e", a) else a))))\$
 tell("T.2", at_swings(lambda([e, t], bfloat(2/%pi) * elliptic_kc(cos(bfloat(e)/2)^2))))\$
