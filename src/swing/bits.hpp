@@ -28,7 +28,7 @@ SWING_INLINE double from_bits(std::uint64_t b)
 /// |x|.
 SWING_INLINE double magnitude(double x)
 {
-  return from_bits(bits_of(x) & ~sign_bit);
+  return __builtin_fabs(x);
 }
 /// x, and −x where `sign` is the bit of the sign.
 SWING_INLINE double with_sign(double x, std::uint64_t sign)

@@ -36,6 +36,8 @@ const Table SWING_VARIANT = {
      SWING_BY_THETA(High<1>, From::bottom), SWING_BY_THETA(High<1>, From::rest),
      SWING_BY_SERIES(Fast, From::going_round), SWING_BY_THETA(Barely, From::going_round)},
     read_any_motion,
+    read_one<false>,
+    read_one<true>,
     make_rows<false>,
     make_rows<true>};
 

@@ -3,7 +3,7 @@
 ///
 /// All variants are made from one source (kernels.cpp and the folder kernels/) out of + − × ÷ and shifts of
 /// bits alone, without contraction, so that each gives the same bits; only how many numbers are worked on
-/// at once differs.
+/// at once differs. What a product is rounded by is exact, and had by a fused instruction where there is one.
 #pragma once
 
 #include <cstddef>
@@ -90,6 +90,9 @@ struct alignas(64) Row
 /// period.
 struct Rows
 {
+  /// Reads the rows for one time, not less than 2⁻⁴⁰⁰.
+  using One = double (*)(const Rows& rows, double t);
+
   Frequency frequency;          ///< of the half swings
   double steps = 0;             ///< from row to row in a half swing; a power of two
   std::uint64_t by_parity = 0;  ///< the bit of the sign where an odd half swing changes what is asked
@@ -97,6 +100,7 @@ struct Rows
   double turn_hi = 0;           ///< what each half swing adds: of an angle, going round, 2π,
   double turn_lo = 0;           ///< in two parts
   const Row* row = nullptr;     ///< the rows, ½ steps + 1 of them
+  One one = nullptr;            ///< how this processor reads them best for one time
 };
 
 /// What the rows are made of: what is known at each of their phases.
@@ -131,6 +135,9 @@ struct Table
   /// A loop over times that reads the rows.
   using Read = void (*)(const Rows& rows, const double* t, double* out, std::size_t n);
   Read read;  ///< of any motion and question
+
+  Rows::One read_one;          ///< the same for one time of a motion to and fro
+  Rows::One read_one_turning;  ///< and of one that goes round
 
   /// Makes rows.
   using Make = void (*)(const Centres& centres, Row* rows);

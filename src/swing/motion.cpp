@@ -90,7 +90,7 @@ bool usual_setting()
 #else
   asm volatile("" : "+m"(tiny));
 #endif
-  return 1 + tiny == 1 && 1 - tiny == 1;
+  return !(1 + tiny > 1 - tiny);
 }
 
 kernels::Course started(kernels::Course course, Start start)
@@ -381,6 +381,7 @@ void settle(std::vector<kernels::Row>& rows, std::size_t last, const Way& way)
   r.frequency = p.frequency;
   r.steps = steps;
   r.row = result->memory.data();
+  r.one = goes_round(course) && asked == kernels::angle ? best.read_one_turning : best.read_one;
   const kernels::Centres centres{angle.data(), speed.data(), size, from_top ? 1.0 : -1.0,
                                  1 / (p.frequency.hi * steps)};
   (asked == kernels::velocity ? best.rows_of_velocity : best.rows_of_angle)(centres, result->memory.data());
@@ -473,10 +474,11 @@ const kernels::Rows* Motion::rows(kernels::Question asked) const
 [[gnu::noinline]] double Motion::ask_with_care(kernels::Question asked, double t) const
 {
   const To_nearest whatever_was_set;
-  if(const kernels::Rows* const rows = tables_->rows(prepared_, course_, asked))
-    return phase::value_at(*rows, t);
   double result;
-  kernels::variant(0).direct[course_][asked](prepared_, &t, &result, 1);
+  if(const kernels::Rows* const rows = tables_->rows(prepared_, course_, asked))
+    kernels::best().read(*rows, &t, &result, 1);
+  else
+    kernels::variant(0).direct[course_][asked](prepared_, &t, &result, 1);
   return result;
 }
 
@@ -484,7 +486,7 @@ double Motion::ask(kernels::Question asked, double t) const
 {
   const kernels::Rows* const rows = tables_->ready(asked);
   if(rows != nullptr && std::abs(t) >= 0x1p-400 && usual_setting()) [[likely]]
-    return phase::value_at(*rows, t);
+    return rows->one(*rows, t);
   return ask_with_care(asked, t);
 }
 

@@ -3,8 +3,6 @@
 /// functions of one time and the loops over arrays, which so give the same bits.
 #pragma once
 
-#include <limits>
-
 #include "swing/bits.hpp"
 #include "swing/kernels.hpp"
 
@@ -31,13 +29,23 @@ SWING_INLINE double head_of(double x)
   return wide - (wide - x);
 }
 
-/// x·y with what the product is rounded by, the halves of y being known.
+/// x·y with what the product is rounded by, the halves of y being known: exactly, and so the same with and
+/// without a fused instruction. Of a product below 2⁻⁹⁰⁰, where there may be one, that may underflow, and is
+/// nothing.
+template <bool may_be_tiny = true>
 SWING_INLINE Part product_of(double x, double y, double y_head, double y_tail)
 {
   const double product = x * y;
+#if defined(__FMA__)
+  static_cast<void>(y_head);
+  static_cast<void>(y_tail);
+  const double lost = __builtin_fma(x, y, -product);
+#else
   const double head = head_of(x);
   const double tail = x - head;
-  return {product, ((head * y_head - product) + head * y_tail + tail * y_head) + tail * y_tail};
+  const double lost = ((head * y_head - product) + head * y_tail + tail * y_head) + tail * y_tail;
+#endif
+  return {product, !may_be_tiny || magnitude(product) > 0x1p-900 ? lost : 0};
 }
 
 /// Whether the fraction of a half swing is still known at the time t; false for NaN.
@@ -56,9 +64,10 @@ struct Reduced
 };
 
 /// The product of time and frequency is formed exactly; n is taken off before the rest is added.
+template <bool may_be_tiny = true>
 SWING_INLINE Reduced reduced(const kernels::Frequency& f, double t)
 {
-  const Part product = product_of(t, f.hi, f.head, f.tail);
+  const Part product = product_of<may_be_tiny>(t, f.hi, f.head, f.tail);
   const double shifted = product.value + 0x1.8p52;
   const double n = shifted - 0x1.8p52;
   return {n, product.value - n, product.lost + t * f.lo, bits_of(shifted) << 63};
@@ -76,11 +85,11 @@ struct Place
 /// The place of a reduced time that is within reach.
 SWING_INLINE Place place_of(const kernels::Rows& r, const Reduced& t)
 {
-  const std::uint64_t side = bits_of(t.whole) & sign_bit;
-  const double steps = magnitude(t.whole) * r.steps;
+  const double steps_in_half_swing = __builtin_copysign(r.steps, t.whole);
+  const double steps = t.whole * steps_in_half_swing;
   const double nearest = steps + 0x1p52;
-  return {bits_of(nearest) & 0xffff, (steps - (nearest - 0x1p52)) + with_sign(t.lost, side) * r.steps, t.n,
-          (t.parity & r.by_parity) ^ (side & r.by_side)};
+  return {bits_of(nearest) & 0xffff, (steps - (nearest - 0x1p52)) + t.lost * steps_in_half_swing, t.n,
+          (t.parity & r.by_parity) ^ (bits_of(t.whole) & r.by_side)};
 }
 
 /// The row's polynomial at the distance d from its phase.
@@ -99,16 +108,6 @@ template <class Number>
 SWING_INLINE Number turned(const kernels::Rows& r, Number n, Number value)
 {
   return n * r.turn_hi + (n * r.turn_lo + value);
-}
-
-/// What is asked, at the time t.
-SWING_INLINE double value_at(const kernels::Rows& r, double t)
-{
-  if(!within_reach(r.frequency, t)) [[unlikely]]
-    return std::numeric_limits<double>::quiet_NaN();
-  const Place place = place_of(r, reduced(r.frequency, t));
-  const double value = with_sign(polynomial(r.row[place.row].c, place.distance), place.sign);
-  return r.turn_hi == 0 ? value : turned(r, place.n, value);
 }
 
 }  // namespace swing::phase

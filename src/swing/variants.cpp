@@ -17,7 +17,7 @@ const Table* const variants[] = {&sse2, &avx2, &avx512};
 std::size_t supported()
 {
   __builtin_cpu_init();
-  if(!__builtin_cpu_supports("avx2"))
+  if(!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
     return 1;
   const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")
                     && __builtin_cpu_supports("avx512vl");

@@ -16,6 +16,8 @@ namespace swing::kernels
 namespace
 {
 
+using bits::with_sign;
+
 static_assert(sizeof(Row) == row_length * sizeof(double));
 static_assert(rows_at_once % width == 0);
 
@@ -133,6 +135,16 @@ SWING_INLINE void read_motion(const Rows& rows, const double* t, double* out, st
           out[start + j] = value[j - i];
     }
   }
+}
+
+template <bool turning>
+double read_one(const Rows& rows, double t)
+{
+  if(!phase::within_reach(rows.frequency, t)) [[unlikely]]
+    return std::numeric_limits<double>::quiet_NaN();
+  const phase::Place place = phase::place_of(rows, phase::reduced<false>(rows.frequency, t));
+  const double value = with_sign(phase::polynomial(rows.row[place.row].c, place.distance), place.sign);
+  return turning ? phase::turned(rows, place.n, value) : value;
 }
 
 void read_any_motion(const Rows& rows, const double* t, double* out, std::size_t n)
