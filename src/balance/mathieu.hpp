@@ -31,7 +31,7 @@ struct Floquet
 };
 
 /// From two solutions over half a period of the beam, integrated to rounding, and the recurrence between the lines of the
-/// spectrum. Relative errors below 1e-10 (tests/balance_mathieu.cpp) for |p| ≤ 1 and μ ≤ 20 λ.
+/// spectrum. Relative errors below 1e-10 (tests/balance_linear.cpp) for |p| ≤ 1 and μ ≤ 20 λ.
 /// @throws std::domain_error unless μ, λ > 0 and all is finite; std::runtime_error if the equation cannot be integrated
 Floquet floquet(const Prescribed_beam& of);
 
