@@ -118,7 +118,8 @@ function colophon(book) {
   for (const name of Object.keys(lock[''].dependencies)) made[name] = lock[`node_modules/${name}`].version;
   const rows = Object.entries({ 'this edition': book.version, ...made }).map(
     ([name, version]) =>
-      `<tr><th scope="row">${escape(name)}</th><td class="word">${escape(version)}</td></tr>`,
+      `<tr><th scope="row">${escape(name)}</th>` +
+      `<td class="word">${name === 'flags' ? `<code>${escape(version)}</code>` : escape(version)}</td></tr>`,
   );
   return `${table('Made with', ['what', 'which'])}${rows.join('\n')}${tableEnd}`;
 }
@@ -127,17 +128,17 @@ function colophon(book) {
 function terms(book) {
   const found = new Map();
   const files = ['book/glossary.md', ...book.chapters.map((c) => `chapters/${c.id}/glossary.md`)];
-  files.forEach((file, i) => {
+  for (const file of files) {
     let line = 1;
     for (const entry of (book.read(file) ?? '').split(/\n\s*\n/)) {
       const [, term, text] = /^\s*(\S.*)\n: *([^]+)$/.exec(entry) ?? [];
       if (term && !found.has(slug(term)))
-        found.set(slug(term), { term, text, file, line: line + 1, chapter: book.chapters[i - 1]?.id });
+        found.set(slug(term), { term, text, file, line: line + 1 });
       else if (entry.trim())
         book.fault(file, line, term ? `a second entry for ${term}` : 'an entry is a line with the term, then ": " and what it means');
       line += entry.split('\n').length + 1;
     }
-  });
+  }
   return found;
 }
 
@@ -145,8 +146,8 @@ function terms(book) {
 function glossary(book, _, page) {
   const items = [...book.terms]
     .sort(([a], [b]) => (a < b ? -1 : 1))
-    .map(([id, { term, text, file, line, chapter }]) => {
-      const p = book.page(file, chapter);
+    .map(([id, { term, text, file, line }]) => {
+      const p = book.page(file); // of no chapter, so that a section is named with its own
       const meaning = p.html(text.replace(/^[:] ?|\n: ?/g, '\n').trim(), line);
       for (const [name, number] of p.numbers) page.numbers.set(name, number);
       return `<dt id="term-${id}">${escape(term)}</dt>\n<dd>${meaning}</dd>`;
@@ -179,7 +180,7 @@ function notation(book, _, page) {
 /** `{{collected citation}}`: how this edition is cited, as it is. */
 function citation(book) {
   const text = `${book.title}: an executable, annotated edition of four papers by Leonhard Euler. Version ${book.version}.`;
-  const bibtex = `@misc{euler-on-oscillation,\n  title   = {${book.title}},\n  note    = {An executable, annotated edition of four papers by Leonhard Euler},\n  version = {${book.version}}\n}`;
+  const bibtex = `@misc{euler-on-oscillation,\n  title   = {${book.title}},\n  note    = {An executable, annotated edition of four papers\n             by Leonhard Euler},\n  version = {${book.version}}\n}`;
   return (
     `<p class="citation">${escape(text)}</p>\n` +
     `<pre class="code" tabindex="0" role="group" aria-label="BibTeX"><code>${escape(bibtex)}</code></pre>\n`
@@ -206,7 +207,7 @@ function live(book) {
   const file = 'book/live/running.md';
   return book.live
     ? book.page(file).html(book.read(file), 1)
-    : '<p>This copy of the book was made without the pages that run themselves; the colophon says why.</p>\n';
+    : '<p>This copy of the book was made without the pages that run themselves; the <a href="colophon.html">colophon</a> says why.</p>\n';
 }
 
 const search = () => `<form class="search" role="search" action="search.html">

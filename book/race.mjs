@@ -63,6 +63,10 @@ function race(name, given, quantity, lowest = 0) {
     points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)),
     (high - low) / 13,
   );
+  // Below what is clipped there is room for the line that says so; at the right, for the longest name.
+  const clipped = points.some((p) => p.error < lowest);
+  const bottom = low - (clipped ? Math.ceil((high - low) * 0.06) : 0);
+  const edge = Math.min(0.64, 1 - (12 + 7.4 * Math.max(...labelled.map((p) => p.name.length))) / 640);
   const top = Math.max(high, Math.ceil(Math.max(...labelled.map((p) => p.height)) + 0.3));
   const heads = ['name', 'seconds', 'error', 'drawn', 'height', 'colour'];
   const rows = (list) =>
@@ -76,8 +80,8 @@ function race(name, given, quantity, lowest = 0) {
       `${heads.join('\t')}\n${joined.map((f) => `${f.join('\n')}\n`).join('\n')}`,
     ],
     `quantity='${quantity}'; families=${families.length}; ` +
-      `clipped=${points.some((p) => p.error < lowest) ? lowest : 0}; ` +
-      `left=1e${left}; right=1e${right}; low=1e${low}; high=1e${top}`,
+      `clipped=${clipped ? lowest : 0}; edge=${edge.toFixed(3)}; ` +
+      `left=1e${left}; right=1e${right}; low=1e${bottom}; high=1e${top}`,
   );
 }
 

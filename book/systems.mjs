@@ -88,10 +88,10 @@ const short = (x) => asText(format({ value: x }, x >= 1e5 ? 'e2' : '2'));
 const when = (system) => (system.recorded ? `recorded ${system.recorded}` : 'in this build');
 const row = (head, cells) => `<tr><th scope="row">${head}</th>${cells.join('')}</tr>\n`;
 const words = (text) => `<td class="word">${escape(text)}</td>`;
-const code = (text) => `<td class="word"><code>${escape(text)}</code></td>`;
+const code = (text) => `<td class="word call"><code>${escape(text)}</code></td>`;
 // What a function turns out to be, and how it is asked; or that the system has none.
 const asked = (of, what) =>
-  of ? `<td class="word">${escape(what())}<span class="below"><code>${escape(of.call)}</code></span></td>` : words('none');
+  of ? `<td class="word call">${escape(what())}<span class="below"><code>${escape(of.call)}</code></span></td>` : words('none');
 
 /** `{{collected other-systems}}`: one row a system, how its functions are to be asked. */
 export function conventions(book) {

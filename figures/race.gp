@@ -1,6 +1,7 @@
 # Error against time for one evaluation, for any race. Besides `data` and `out`: `source`, the data's name;
 # `quantity`, what the error is; `families`, how many lines of methods it has; `clipped`, the error at which smaller
-# ones are drawn, or 0 where there are none; `left`, `right`, `low`, `high`, the frame. Blocks of the data: all methods, the front, the names, and the families, parted by empty lines. The
+# ones are drawn, or 0 where there are none; `left`, `right`, `low`, `high`, the frame, and `edge`, where it ends,
+# as a part of the drawing's width. Blocks of the data: all methods, the front, the names, and the families, parted by empty lines. The
 # names stand at the right edge, each tied to its point.
 load "figures/style.gp"
 set logscale xy
@@ -10,10 +11,10 @@ set xlabel "time of one evaluation"
 set ylabel quantity
 set xrange [left:right]
 set yrange [low:high]
-set rmargin at screen 0.64
+set rmargin at screen edge
 if (clipped > 0) \
   set arrow from left, clipped to right, clipped nohead lt 6 dt (2, 4); \
-  set label "what is nearer is drawn here" at right, clipped right offset -0.6, -0.6 font ",13" textcolor lt 6
+  set label "what is nearer is drawn here" at right, clipped right offset -0.6, -0.7 font ",14" textcolor lt 6
 lines_of_families = families ? \
   "tsv(source) index 3 using 'seconds':'drawn':'colour' with lines linecolor variable lw 1.2," : ""
 plot @lines_of_families \

@@ -158,5 +158,21 @@ await Promise.all(
     while (left.length) await tryFigures(left.shift());
   }),
 );
-console.log(`${figures} figures, ${drawings} drawings with other numbers; ${faults} faults`);
+// The plots of error against time stand as the book has them: no name of a method leaves the drawing, no note lies on an axis.
+let races = 0;
+if (!only.length)
+  for (const name of fs.readdirSync(path.join(build, 'drawn')).filter((f) => /\.race-.*\.svg$/.test(f))) {
+    races += 1;
+    const svg = fs.readFileSync(path.join(build, 'drawn', name), 'utf8');
+    const [width, height] = svg.match(/viewBox="0 0 (\d+) (\d+)"/).slice(1).map(Number);
+    const { drawn, texts } = parts(svg);
+    const axis = Math.max(...(drawn[plain[0]] ?? []).flat().map(([, y]) => y)); // the lowest that is drawn in ink
+    for (const { text, box } of texts) {
+      const out = Math.max(-box[0], -box[1], box[2] - width, box[3] - height, 0);
+      if (out > 4) fault(`${name}: "${text}" leaves the drawing by ${out.toFixed(0)}`);
+      if (box[1] < axis - 6 && box[3] > axis - 2 && text.startsWith('what'))
+        fault(`${name}: "${text}" lies on the axis`);
+    }
+  }
+console.log(`${figures} figures, ${races} plots of speed, ${drawings} drawings with other numbers; ${faults} faults`);
 process.exitCode = faults || !drawings ? 1 : 0;
