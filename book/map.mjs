@@ -38,7 +38,7 @@ function arcs(pairs, sections) {
     `${(x - bulge(to, from)).toFixed(1)},${y(to)} ${x},${y(to)}"${to < from ? ' class="back"' : ''}/>`;
   const dot = (_, i) => `<circle cx="${x}" cy="${y(i + 1)}" r="3"/>`;
   return (
-    `<svg width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" aria-hidden="true">` +
+    `<svg width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" aria-hidden="true">` +
     `${pairs.map(arc).join('')}${Array.from({ length: sections }, dot).join('')}</svg>`
   );
 }

@@ -5,8 +5,8 @@ set xtics ("0.2°" 0.2, "0.5°" 0.5, "1°" 1, "2°" 2, "5°" 5, "10°" 10, "20°
 set yrange [0:8]
 set xlabel "η, from the top to where the descent begins"
 set ylabel "T / Θ"
-set label "(2), as printed" at 5.5, 4.75 left textcolor linetype 2
-set label "(4), with 2/π" at 9, 1.75 right textcolor linetype 1
+set label "(2), as it stands" at 5.5, 4.75 left textcolor linetype 2
+set label "(A), with 2/π" at 9, 1.75 right textcolor linetype 1
 set label "his definitions" at 0.64, 3.66 right textcolor linetype 7
 set label "his series" at 1.27, 3.14 right textcolor linetype 7
 set label "the motion" at 2.5, 2.62 right textcolor linetype 7

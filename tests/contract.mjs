@@ -136,6 +136,21 @@ test('at the ends of every range, and at the extremes inside, it is right or ref
     }
 });
 
+test('where one angle is at its end and another rounds, it is right or refuses', { skip: !sweep }, () => {
+  const angles = told.parameters.filter((p) => p.unit === '°' && p.lo !== null && p.hi !== null);
+  for (const p of angles)
+    for (const q of angles)
+      for (const end of ['lo', 'hi'])
+        for (const degrees of [30, 60, 120, 150]) {
+          if (p === q || q[`${end}_open`] || [p.name, q.name].sort().join() === 'eta,zeta') continue;
+          const call = [`--${p.name}=${degrees}`, `--${q.name}=${q[end]}`];
+          const r = run([...call, '--json']);
+          assert.ok(r.status === 0 || r.status === 2, `${name} ${call.join(' ')}: ${r.status}`);
+          if (r.status === 0)
+            for (const v of JSON.parse(r.out).values) assert.notEqual(v.value, 'nan', `${name} ${call.join(' ')}: ${v.name}`);
+        }
+});
+
 test('with --data it can tell to machines too, and eight may write into one folder at once', async () => {
   const folder = path.join(scratch, 'together');
   assert.equal(JSON.parse(run(['--json', '--data', folder]).out).id, told.id);
@@ -152,7 +167,11 @@ test('its checks hold, each claims something, and a run without checks is no suc
   const report = JSON.parse(r.out);
   assert.equal(r.status, 0, r.out);
   assert.ok(report.passed && report.cases.length > 0);
-  for (const c of report.cases) assert.ok(c.passed && c.claims.length > 0, c.name);
+  for (const c of report.cases) {
+    assert.ok(c.passed && c.claims.length > 0, c.name);
+    for (const k of c.claims) // words are shown as words, not as the place where they lie
+      for (const side of [k.got, k.expected]) assert.doesNotMatch(String(side), /^(!= )?0x[0-9a-f]{6,}$/, k.expression);
+  }
   assert.deepEqual(report.uncovered, []);
   const entries = [...told.errata, ...told.emendations, ...told.doubtful, ...told.undecided];
   assert.equal(report.apparatus.length, entries.length);

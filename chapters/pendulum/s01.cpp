@@ -168,4 +168,25 @@ CHECK_THAT("the figure's lines are the two corrections, in percent")
 
 "Any amplitude" means any *swing*: in this paper the pendulum turns back before the top or, at most, just
 reaches it. One that goes round and round obeys the same equation, but Euler does not speak of it.
+
+## Go on from here
+
+::: exercise
+At which amplitude is the correction for the arc as great as that for the body of the rod? Does the rod's
+length matter, or the place on the earth?
+
+answer: At 84.248°, near enough, for every uniform rod that hangs by its end: the one correction depends
+on the amplitude alone, the other on $k/a$ alone, and $g$ is in neither. Try `--zeta 84.248 --a 1 --k
+0.57735`.
+:::
 */
+
+CHECK_THAT("at 84.248° both corrections of a rod hung by its end are the same, whatever its length and g")
+{
+  for(const Told& now : told_at("zeta=84.248", "zeta=84.248 a=1 k=0.57735026918962576 g=1"))
+  {
+    const Fifty of_rod = 2 / sqrt(Fifty(3)) - 1;
+    CHECK(now.value("body", percent) == within(of_rod, 1e-15, "k is rounded"));
+    CHECK(now.value("arc", percent) == within(of_rod, 1e-6, "a thousandth of a degree is 4·10⁻⁶"));
+  }
+}

@@ -279,3 +279,22 @@ CHECK_THAT("the plate has B below A, G at the distance 1 and at the angle ζ, an
     is_at(points.size() - 1, Fifty("0.28") * s, -Fifty("0.28") * c);
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+Cut each half of a swing to 170° into five parts and see the error. What should it be with ten?
+
+answer: Twice as many digits: five parts leave $3\cdot10^{-5}$, and the square of that is $10^{-9}$,
+nearly. It is $-1.35\cdot10^{-9}$.
+:::
+*/
+
+CHECK_THAT("near the top, too, twice as many parts give twice as many digits")
+{
+  for(const Told& now : told_at("zeta=170 n=5"))
+    CHECK(now.value("error") == within(-2.84e-5, 0.005e-5, "as the answer has it"));
+  for(const Told& now : told_at("zeta=170 n=10"))
+    CHECK(now.value("error") == within(-1.35e-9, 0.005e-9, "as the answer has it"));
+}

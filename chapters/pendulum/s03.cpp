@@ -201,3 +201,21 @@ CHECK_THAT("the figure has three weights with their centre of gravity and radius
           == within(sqrt(Fifty(36) / 5) / 3.5, 1e-15, "Lagrange's sum over all pairs"));
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+How far from its middle must the rod be hung for the moment about the axis to be twice that about the
+middle? {{sec pendulum.06}} will tell what is remarkable about this place.
+
+answer: Where $aa = kk$, at $L/\sqrt{12}$ or 0.288675 metres. Hung there it swings the fastest.
+:::
+*/
+
+CHECK_THAT("hung at the distance k, a rod has twice the moment that it has about its middle")
+{
+  for(const Told& now : told_at("a=0.28867513459481287", "L=2 a=0.57735026918962574 M=3"))
+    CHECK(now.value("about_A", Unit{"kg m²"})
+          == within_relative(2 * M.fifty() * L.fifty() * L.fifty() / 12, 1e-15, "few roundings"));
+}

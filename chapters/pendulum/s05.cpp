@@ -368,3 +368,22 @@ CHECK_THAT("the figures are the body's lines and arcs, and four exact motions")
     }
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+Hang the rod not by its end but a sixth of a metre from its middle, and start it to the same amplitude.
+Where is it after a second? And if it were a thousand times as heavy?
+
+answer: Where it was before, at −10.3°, and its mass does not matter. Both places have the same $b$: hung
+by its centre of oscillation, a body keeps its time ({{sec pendulum.06}}).
+:::
+*/
+
+CHECK_THAT("hung by its centre of oscillation, however heavy, the rod is in the same place")
+{
+  const Fifty tau = sqrt(2 * g.fifty() * 3 / 2);  // b is ⅔ of a metre
+  for(const Told& now : told_at("a=0.16666666666666666", "a=0.16666666666666666 M=1000"))
+    CHECK(now.value("phi", degrees) == within(judged().angle(tau), 1e-14, "a and k are rounded"));
+}

@@ -277,3 +277,27 @@ CHECK_THAT("the phase curves have the energy of their amplitudes, and the length
             == within_relative(point.at("a") + 1 / Fifty(point.at("a")), 4e-16, "a quotient, a sum"));
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+At which part of its amplitude has a pendulum half of its greatest speed? Compare a very small swing, one
+to 90° and one that nearly reaches the top.
+
+answer: At $\frac12\sqrt3$ of it, 0.866, when the swing is small; at 75.52°, or 0.839 of it, for 90°; and
+at 120°, two thirds, near the top.
+:::
+*/
+
+CHECK_THAT("half of the greatest speed is had at √3/2, 0.839 and two thirds of the amplitude")
+{
+  for(const Told& now : told_at("zeta=0.001 phi=0.00086602540378443865", "zeta=90 phi=75.522487814070076",
+                                "zeta=179.99999 phi=120"))
+  {
+    const Fifty b = a.fifty() + k.fifty() * k.fifty() / a.fifty();
+    const Fifty greatest = sqrt(4 * g.fifty() * (1 - cos(swing_.zeta.fifty())) / b);
+    CHECK(now.value("speed", Unit{"rad/s"})
+          == within_relative(greatest / 2, 1e-10, "ζζ of the smallest, what the widest lacks of 180°"));
+  }
+}

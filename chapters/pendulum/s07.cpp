@@ -321,3 +321,27 @@ CHECK_THAT("the figure has the element of time in both variables")
       CHECK(point.value("in_theta") == within_relative(quarter / sqrt(1 - s), 1e-15, "few roundings"));
     }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+How far has the pendulum come after half of its ascent's time? Compare a swing to 90° with a very small
+one.
+
+answer: To 65.53° of 90, and to $\frac12\sqrt2$ of a small amplitude; the wider the swing, the farther. At
+half of the time $\tan\frac12\Phi = c/\sqrt{c'(1+c')}$, where $c' = \cos\frac12\zeta$.
+:::
+*/
+
+CHECK_THAT("after half of the time a swing to 90° has come to 65.53°, a small one to √½ of its amplitude")
+{
+  for(const Told& now : told_at("phi=65.530199479297808"))
+  {
+    CHECK(now.value("share", percent) == within(0.5, 1e-14, "a rounded angle, and the library's bound"));
+    const Fifty c = sqrt(Fifty(0.5));
+    CHECK(tan(phi.fifty() / 2) == within(c / sqrt(c * (1 + c)), 1e-16, "the angle's seventeen digits"));
+  }
+  for(const Told& now : told_at("zeta=0.001 phi=0.00070710678118654752"))
+    CHECK(now.value("share", percent) == within(0.5, 1e-10, "ζζ"));
+}

@@ -416,3 +416,26 @@ CHECK_THAT("the figure has what is left out, between its bounds")
     CHECK(first.value("terms") == within(1, 0, "a count"));
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+How many terms must be kept for the semicircle if what is left out of the bracket is to be less than
+$10^{-10}$? Find it from {{eq A}} first.
+
+answer: 28. The geometric bound {{eq A}} halves with each term, and finds it too. The program tells that
+$1.68\cdot10^{-10}$ for 27 terms and $0.81\cdot10^{-10}$ for 28.
+:::
+*/
+
+CHECK_THAT("for the semicircle 28 terms leave out less than 10⁻¹⁰, and 27 do not")
+{
+  for(const Told& now : told_at("N=27"))
+    CHECK(now.value("R") == within(1.68e-10, 0.005e-10, "as the answer has it"));
+  for(const Told& now : told_at("N=28"))
+  {
+    CHECK(now.value("R") == within(0.81e-10, 0.005e-10, "as the answer has it"));
+    CHECK(now.value("geometric") == between(0.81e-10, 1e-10, "(A)"));
+  }
+}

@@ -379,3 +379,22 @@ CHECK_THAT("the series in the sine turns into the series in the angle")
   CHECK(sum[6] == Rational(173, 737280));
   CHECK(sum[8] == Rational(22931, 1321205760));
 }
+
+/*!
+## Go on from here
+
+::: exercise
+The pendulum of a clock swings 2° to each side. In a cold night the oil stiffens and it swings 1.9°. By
+how much does the clock's day change?
+
+answer: It gains 0.64 seconds a day: 6.58 are lost at 2° and 5.94 at 1.9°. As the loss goes with the
+square of the arc, twice five per cent less arc is a tenth of the loss.
+:::
+*/
+
+CHECK_THAT("from 2° to 1.9° the loss falls from 6.58 to 5.94 seconds a day")
+{
+  for(const Told& now : told_at("zeta=2", "zeta=1.9"))
+    CHECK(now.value("day", seconds)
+          == within(swing_.zeta > 1.95_deg ? 6.58 : 5.94, 0.005, "to two decimals"));
+}

@@ -188,9 +188,9 @@ CHECK_THAT("the series for the semicircle sums to Γ(¼)²/(2π√π), and so do
 }
 
 /*!
-So $T/\Theta$ = {{semicircle|30}}, and the printed 1,1805 is too large by more than one and a half units of
-its fourth decimal. It cannot come from stopping too early: the sums only grow, and they stay below their
-limit. A 3 read or set as a 5 would explain it; the scan alone does not tell whose slip it was. The ratio
+So $T/\Theta$ = {{semicircle|30}}, and the 1,1805 of our copy is too large by more than one and a half units
+of its fourth decimal. It cannot come from stopping too early: the sums only grow, and they stay below their
+limit. A 3 read or set as a 5 would explain it; our copy alone does not tell whose slip it was. The ratio
 5 : 6 is a rough one, too large by {{five_to_six|3}}, but right to the one decimal of 1,2; he says only that
 it is near.
 */
@@ -212,7 +212,7 @@ CHECK_THAT("5 : 6 is right to one decimal, and 6 : 7 would be nearer")
 }
 
 /*!
-The integral {{eq 4}} has lost a square in the scan, and its logarithm has gained a 2. Each must agree with
+The integral {{eq 4}} has lost a square in our copy, and its logarithm has gained a 2. Each must agree with
 the other, here at $z = 0{,}4$.
 */
 
@@ -364,4 +364,26 @@ CHECK_THAT("the figures' curves are the ratio, five terms, the law near the top,
       }
     }
   }
+}
+
+/*!
+## Go on from here
+
+::: exercise
+How many terms give the time of a swing to 150° to five decimals, within half a unit?
+
+answer: 128: what they leave out is 0.0000047, and 127 leave 0.0000051. For the semicircle 14 would do.
+:::
+*/
+
+CHECK_THAT("to 150° it takes 128 terms for five decimals, and for the semicircle 14")
+{
+  for(const Told& now : told_at("zeta=150 n=127"))
+    CHECK(now.value("short_by") == between(0.505e-5, 0.515e-5, "as the answer has it"));
+  for(const Told& now : told_at("zeta=150 n=128"))
+    CHECK(now.value("short_by") == between(0.465e-5, 0.475e-5, "as the answer has it"));
+  for(const Told& now : told_at("n=13"))
+    CHECK(now.value("short_by") == between(0.505e-5, 0.6e-5, "too much"));
+  for(const Told& now : told_at("n=14"))
+    CHECK(now.value("short_by") == between(0, 0.495e-5, "enough"));
 }

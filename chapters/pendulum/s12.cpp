@@ -337,3 +337,31 @@ CHECK_THAT("the figure's counts are the fewest terms and steps")
             == within(Fifty(steps_of_the_mean(static_cast<double>(eta), 1e-5)), 0, "a count"));
     }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+Foretell from the numbers for 5° how many terms the two series take at 2.5° from the top, and how many
+steps the mean.
+
+answer: About four times 3791 terms of {{eq 1}}, twice 46 of {{eq A}}, and four steps as before. The
+program counts 14898, 89 and 4: a little fewer, because the part that may be left out is one of a longer
+time.
+:::
+*/
+
+CHECK_THAT("half as far from the top the counts are 14898, 89 and 4")
+{
+  for(const Told& now : told_at(""))
+  {
+    CHECK(now.value("needed") == 3791);
+    CHECK(now.value("needed_landen") == 46);
+  }
+  for(const Told& now : told_at("eta=2.5"))
+  {
+    CHECK(now.value("needed") == 14898);
+    CHECK(now.value("needed_landen") == 89);
+    CHECK(now.value("steps") == 4);
+  }
+}

@@ -290,3 +290,22 @@ CHECK_THAT("the figures have the losses, and the circle with its lines")
     CHECK(has_g);
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+How near to the top must a pendulum be let go for one swing to last a hundred of its smallest ones? Near
+the top $T/\Theta$ is $\frac2\pi\,l\frac8\eta$.
+
+answer: $\eta = 8e^{-50\pi}$, or $4.83\cdot10^{-68}$ of a radian: no experiment comes near it. The program
+tells $50\pi$ for the descent with `--eta 4.8336e-68rad`.
+:::
+*/
+
+CHECK_THAT("from 8e^(−50π) of a radian one swing lasts a hundred of the smallest")
+{
+  CHECK(8 * exp(-50 * exact::pi()) == within_relative(4.83361766e-68, 1e-8, "nine digits"));
+  for(const Told& now : told_at("eta=4.83361766265925e-68rad"))
+    CHECK(now.value("descent") == within_relative(50 * exact::pi(), 1e-15, "fifteen digits of η"));
+}

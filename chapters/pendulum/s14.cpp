@@ -240,3 +240,27 @@ CHECK_THAT("the curves are the element at three starts, and half over the sine")
           == within_relative(1 / (2 * sin(Fifty(point.at("psi")) * exact::pi() / 360)), 1e-14, "ψ rounds"));
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+Let go a tenth of a degree from the top, the pendulum falls at first like the hyperbolic cosine. How far
+is it down when this is wrong by one per cent?
+
+answer: About 40° from the top: at 39° the cosine is 0.98 per cent ahead, at 40° 1.03. Three quarters of
+the time are over by then, since near the top the pendulum lingers.
+:::
+*/
+
+CHECK_THAT("from a tenth of a degree the hyperbolic cosine is one per cent ahead between 39° and 40°")
+{
+  for(const Told& now : told_at("psi=39"))
+    CHECK(now.value("cosh", degrees) == within_relative(1.0098 * Fifty(psi), 5e-5, "0.98 per cent"));
+  for(const Told& now : told_at("psi=40"))
+  {
+    CHECK(now.value("cosh", degrees) == within_relative(1.0103 * Fifty(psi), 5e-5, "1.03 per cent"));
+    const Fifty whole = swing::oracle::K_from_complement(sin(swing_.eta.fifty() / 2));
+    CHECK(now.value("tau") == between(whole * Fifty(0.75), whole, "three quarters of the descent"));
+  }
+}

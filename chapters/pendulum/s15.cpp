@@ -303,3 +303,24 @@ CHECK_THAT("the figure's first curve is arcosh x − l x while the way is small,
       CHECK(point.value("uniform") == between(-1e-15, 8e-6, "sin⁴α times a half and a logarithm, at 5°"));
     }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+After which way has the first term already lost half of what it will lose?
+
+answer: After a tenth of η: {{eq A}} is $\frac12\,l2$ when $\psi : \eta = 1.0987$. The figure shows it,
+and `--eta 1e-9rad --psi 1.0986841e-9rad` tells 0.34657.
+:::
+*/
+
+CHECK_THAT("half of ln 2 is missing after a tenth of η, at 1.0987 η")
+{
+  const Fifty x = 1 / sqrt(1 - pow(sqrt(Fifty(2)) - 1, 2));
+  CHECK(x == within(1.0986841134678, 1e-13, "fourteen digits"));
+  CHECK(acosh(x) - log(x) == within(exact::ln2() / 2, 1e-48, "(A)"));
+  for(const Told& now : told_at("eta=1e-9rad psi=1.0986841134678100e-9rad"))
+    CHECK(now.value("short_by")
+          == within(exact::ln2() / 2, 1e-13, "x to fourteen digits, and a difference"));
+}

@@ -191,3 +191,26 @@ CHECK_THAT("the figure's part is what the time's own bounds leave, at all its po
               == within(1 + log(tan(eta / 4)) / K, 5e-16, "one less a rounded quotient"));
       }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+From which start would a tenth be missing? And half of the whole?
+
+answer: By {{eq A}} from $8 : 2^{10}$ of a radian, 0.448°, where the program tells 10.0003 per cent. For
+half it would be 2 radians, or 115°, which is not near the top any more; there {{eq A}} fails, and the
+program tells 65 per cent.
+:::
+*/
+
+CHECK_THAT(
+    "a tenth is missing from 1/128 of a radian; at 2 radians, where (A) has a half, it is 65 per cent")
+{
+  CHECK(start_for(0.1) == within_ulps(Fifty(1) / 128, 2, "a power of two"));
+  CHECK(start_for(0.5) == within_ulps(Fifty(2), 2, "a power of two"));
+  for(const Told& now : told_at("eta=0.0078125rad"))
+    CHECK(now.value("part", percent) == within(0.100003, 0.5e-6, "six digits"));
+  for(const Told& now : told_at("eta=2rad"))
+    CHECK(now.value("part", percent) == within(0.65, 0.005, "two digits"));
+}

@@ -297,3 +297,24 @@ CHECK_THAT("the figure has the element and the sums of its terms, times ω")
               == within_relative(omega / s / sqrt(1 - v), near, "ω − α of rounded angles"));
       }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+Is a quarter the most that the second term can bring to the whole descent?
+
+answer: No. It brings a little more, up to 0.29992 from a start at 67.07°, and comes down to a quarter
+again at 111.28°. What grows at first is the logarithm's part, $\frac14\sin^2\alpha\,l\cot\frac12\alpha$.
+:::
+*/
+
+CHECK_THAT("the second term brings most from 67.07°, 0.29992, and a quarter again from 111.28°")
+{
+  for(const Told& now : told_at("eta=66", "eta=67.07", "eta=68.2"))
+    CHECK(now.value("second")
+          == between(swing_.eta == 67.07_deg ? 0.299919 : 0.2998,
+                     swing_.eta == 67.07_deg ? 0.29992 : 0.2999, "lower on both sides"));
+  for(const Told& now : told_at("eta=111.28197660032380"))
+    CHECK(now.value("second") == within(0.25, 1e-14, "a rounded angle"));
+}

@@ -237,3 +237,24 @@ CHECK_THAT("the figure's curves are the scaled integrals at 1, 10 and 45 degrees
       CHECK(point.value("J45") == within_relative(scaled(2 * m, 45 * degree, right), 1e-15, "as above"));
     }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+For $n = 2000$ and the whole descent from 5° foretell the product with $\sin^n\alpha$; the integral itself
+has 2718 digits before its point.
+
+answer: By the figure's law it is nearly $1/(n\cos\alpha)$, 0.00050048; and so it is told.
+:::
+*/
+
+CHECK_THAT("for n = 2000 the product is 1 over n cos α, to six digits, and the integral has 2718 digits")
+{
+  for(const Told& now : told_at("n=2000"))
+  {
+    const Fifty alpha = swing_.eta.fifty() / 2;
+    CHECK(now.value("scaled") == within_relative(1 / (2000 * cos(alpha)), 1.1e-6, "tan²α over n"));
+    CHECK(now.value("integral") == between(Fifty("1e2717"), Fifty("1e2718"), "2718 digits"));
+  }
+}

@@ -222,3 +222,31 @@ CHECK_THAT("the figure has the part of each integral that is complete")
         CHECK(point.value(column.c_str()) == within(here / whole, 1e-13, "rungs, and a rounded place"));
       }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+From $\alpha = 2\frac12°$ to $\omega = 2\alpha$, which part of its whole is each of the five integrals?
+Think of powers of ω in the place of those of the sine.
+
+answer: With powers it would be $1 - 2^{-n}$: three quarters, fifteen sixteenths, and so on to
+$\frac{1023}{1024}$. From the tables for `--alpha 2.5 --omega 5` and `--omega 90` come 0.746, 0.937,
+0.984, 0.996 and 0.999.
+:::
+*/
+
+CHECK_THAT("at twice α all but 2⁻ⁿ of each integral is complete, nearly")
+{
+  for(const Told& now : told_at("alpha=2.5 omega=5"))
+    for(const auto& row : now.rows("rungs"))
+    {
+      const int n = static_cast<int>(row.at("n"));
+      const Fifty start = alpha.fifty(), rest = pow(Fifty(0.5), n);
+      const Fifty whole = quadrature(n + 1, start, exact::pi() / 2);
+      CHECK(row.value("integral") == within_relative(whole * (1 - rest), 0.006, "sines for angles"));
+      const double told[] = {0.746, 0.937, 0.984, 0.996, 0.999};
+      CHECK(row.value("integral")
+            == within(told[n / 2 - 1] * whole, static_cast<double>(whole) * 0.5e-3, "three decimals"));
+    }
+}

@@ -215,7 +215,7 @@ CHECK_THAT("the integral told is that of quadrature, at 30°, near the top, at a
                              "far from 90° few roundings count"));
 }
 
-CHECK_THAT("the five shares of the figure are those of the printed pieces, and make one")
+CHECK_THAT("the five shares of the figure are those of the five pieces, and make one")
 {
   for(const Told& now : told_at(""))
     for(const auto& point : now.points("shares", 6))

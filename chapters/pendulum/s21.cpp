@@ -136,7 +136,7 @@ TELL
 First the entries that stand in our copy, in exact fractions; all ten that have no logarithm are right.
 */
 
-CHECK_THAT("the law (A) gives what Euler prints, column by column")
+CHECK_THAT("the law (A) gives what our copy has, column by column")
 {
   CHECK(entry(1, 0) == Rational(1, 2 * 2));
   CHECK(entry(2, 0) == Rational(1 * 3, 2 * 4 * 4));
@@ -305,4 +305,25 @@ CHECK_THAT("the figure has what rows and columns leave out at 2½° and 30°")
               == between(-1e-46, most + 1e-46, "no column's sum is above l 2; fifty digits"));
       }
     }
+}
+
+/*!
+## Go on from here
+
+::: exercise
+How many rows would have to be added at 5° to leave out only a hundredth? And what does a single column
+beside the logarithmic one leave out?
+
+answer: The law $1/\sqrt{\pi m}$ says $m = 10^4/\pi$, some 3183; with $\cos\alpha$ below, a few more:
+3189. One column leaves 0.00099.
+:::
+*/
+
+CHECK_THAT("3189 rows leave out a hundredth at 5°, and one column a thousandth")
+{
+  for(const Told& now : told_at("rows=3189 columns=1"))
+  {
+    CHECK(now.value("rows_short") == within(0.01, 3e-6, "3189 is a whole number"));
+    CHECK(now.value("columns_short") == within(0.00099, 0.5e-5, "two digits"));
+  }
 }

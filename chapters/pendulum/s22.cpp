@@ -286,3 +286,20 @@ CHECK_THAT("the figure has what the plain sum leaves out, and Levin's errors as 
               == between(0, static_cast<double>(rest) * std::pow(0.2, n - 2), "five-fold a term"));
     }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+How many terms of {{eq 6}} leave out a thousandth? And a millionth?
+
+answer: By {{eq A}} nearly $10^6/\pi$, 318310 of them: the program tells 0.00100000. For a millionth a
+million times as many would be needed.
+:::
+*/
+
+CHECK_THAT("318310 terms leave out a thousandth")
+{
+  for(const Told& now : told_at("N=318310"))
+    CHECK(now.value("short_by") == within(0.001, 0.5e-8, "to six digits"));
+}

@@ -243,3 +243,23 @@ CHECK_THAT("the figure's curves are the three parts and V")
       CHECK(point.value("V") == within_relative(V_by_logarithm(x), 2e-15, "few roundings"));
     }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+To how many decimals do the three parts, added as they stand, give $V$ at $v = 10^{-4}$?
+
+answer: To seven or eight: the parts are of the size of $10^8$, a double near that is rounded by
+$10^{-8}$, and $V$ itself is 0.250000003. At $10^{-8}$ nothing is left.
+:::
+*/
+
+CHECK_THAT("at v = 10⁻⁴ the three parts give V to some 10⁻⁸, and V is ¼ and 3·10⁻⁹")
+{
+  for(const Told& now : told_at("v=1e-4"))
+  {
+    CHECK(now.value("V") == within(0.250000003, 0.5e-9, "9/32 vv above a quarter"));
+    CHECK(now.value("sum") == within(V_by_logarithm(v.fifty()), 6e-8, "three parts up to 2·10⁸, rounded"));
+  }
+}

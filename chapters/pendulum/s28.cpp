@@ -39,9 +39,9 @@ $P$ vanish, and drops out. What its derivative leaves, $\frac{dL}{dx} = -\frac1{
 rest, multiplied by $u$, into
 
 $$ \begin{aligned} 4(1-x)^2\left(S' + x\,S''\right) &- 8x(1-x)\,S' - (3-4x)\,S \\
-   &= 4(1-x)\,P' - P, \end{aligned} \tag{G} $$
+   &= 4(1-x)\,P' - P, \end{aligned} $$
 
-and the power $x^j$ of {{eq G}}, with $4(j+1)^2a_{j+1}^2 = (2j+1)^2a_j^2$, ties each column's sum to the
+and the power $x^j$ of this, with $4(j+1)^2a_{j+1}^2 = (2j+1)^2a_j^2$, ties each column's sum to the
 two before it:
 
 $$ (j+1)^2 S_{j+1} = \left(2j^2 + 2j + \tfrac34\right) S_j - j^2 S_{j-1} - \frac{j\,a_j^2}{4(j+1)}. \tag{B} $$
@@ -308,4 +308,23 @@ CHECK_THAT("the ways of the race leave out what their bounds allow, and the figu
                     most = S.back().value() * pow(x, J) / cos(alpha) / truth;
         CHECK(point.value(column) == between(least - Fifty(1e-15), most + Fifty(1e-15), "(D); α rounds"));
       }
+}
+
+/*!
+## Go on from here
+
+::: exercise
+How many columns does the semicircle take, 90° from the top, if less than $10^{-10}$ is to be left out?
+
+answer: 31. There $x = \frac12$, and every column beyond the first few halves what is missing: 30 leave
+$1.9\cdot10^{-10}$, 31 leave $0.96\cdot10^{-10}$.
+:::
+*/
+
+CHECK_THAT("for the semicircle 31 columns leave out less than 10⁻¹⁰, and 30 do not")
+{
+  for(const Told& now : told_at("eta=90 columns=30"))
+    CHECK(now.value("missing") == within(1.9e-10, 0.05e-10, "two digits"));
+  for(const Told& now : told_at("eta=90 columns=31"))
+    CHECK(now.value("missing") == within(0.96e-10, 0.005e-10, "two digits"));
 }

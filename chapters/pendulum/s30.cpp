@@ -92,7 +92,7 @@ The program's calculator, working from the table alone, must write what our copy
 */
 
 CHECK_THAT(
-    "a table of seven places and honest doubling give the printed logarithms, but not the printed series")
+    "a table of seven places and honest doubling give the logarithms of our copy, but not its series")
 {
   const std::vector<Line> lines = reckoning(exact::pi() / 72);
   for(std::size_t i = 0; i + 1 < lines.size(); ++i)
@@ -133,7 +133,7 @@ const Doubtful the_series{"§30, (3), the sum of the series",
                           [](double reading) {
                             const Fifty m = pow(sin(exact::pi() / 72), 2);
                             const Fifty sum = 1 + m / 4 + 9 * m * m / 64 + 25 * m * m * m / 256;
-                            return sum == within(reading, 0.5e-7, "half a unit of the printed place");
+                            return sum == within(reading, 0.5e-7, "half a unit of the last place");
                           }};
 
 /*!

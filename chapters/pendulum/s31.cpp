@@ -34,9 +34,9 @@ Fifty product(const Fifty& factor, const Fifty& modulus, const Fifty& common)  /
 }
 
 /*!
-The printed result is right. That is strange, since one of its factors is not. So the program also asks the
+The result is right. That is strange, since one of its factors is not. So the program also asks the
 question backwards, which factors have a product that rounds to 3,82675; and it tries what becomes of the
-printed factor if the calculator cuts off further places where he should have rounded.
+factor as it stands, if the calculator cuts off further places where he should have rounded.
 */
 
 double factor_for(double product)
@@ -82,25 +82,25 @@ TELL
 }
 
 /*!
-From the printed factor the table gives {{product_printed|8}}, which rounds to {{product_printed|6}}. To
-round to what is printed, the factor would have to lie between {{good_from|8}} and {{good_to|8}}, and the
+From the factor of our copy the table gives {{product_printed|8}}, which rounds to {{product_printed|6}}. To
+round to what he has, the factor would have to lie between {{good_from|8}} and {{good_to|8}}, and the
 true one does. Only if every logarithm were cut off at its seventh place, and the product ({{product_cut|8}})
-at its fifth, would the printed factor lead to the printed product. Euler does cut now and then, as in
+at its fifth, would his factor lead to his product. Euler does cut now and then, as in
 {{sec pendulum.35}}. So either the factor is a slip of pen or press, made twice, for a number near
 {{good_from|7}}, or he worked with the wrong factor and the cutting saved him. The paper does not tell.
 
 ::: figure pendulum-31
 alt: The product against the factor, a rising line. A band shows the products that round to 3.82675. The
-true factor lies in the band, the printed factor 1.0004801 above it.
+true factor lies in the band, that of our copy, 1.0004801, above it.
 
-Which factors lead to the printed product: those whose point lies in the band. The true factor does, the
-printed one does not.
+Which factors lead to his product: those whose point lies in the band. The true factor does, that of
+our copy does not.
 :::
 
 ## Checks
 */
 
-CHECK_THAT("the looked-up logarithm, both values of ln 10 and member I are right as printed")
+CHECK_THAT("the looked-up logarithm, both values of ln 10 and member I are right as they stand")
 {
   const Fifty logarithm = -log(tan(exact::pi() / 144));
   CHECK(logarithm / log(Fifty(10)) == printed("1,6611437"));
@@ -109,7 +109,7 @@ CHECK_THAT("the looked-up logarithm, both values of ln 10 and member I are right
   CHECK(ratio_by_mean(exact::pi() * 35 / 36) * logarithm == printed("3,82675"));
 }
 
-CHECK_THAT("from the printed factors the table gives 3,82676, and only cutting off gives what is printed")
+CHECK_THAT("from his factors the table gives 3,82676, and only cutting off gives what he has")
 {
   CHECK(rounded(product(Fifty("1.0004801"), Fifty("2.3025851"), Fifty("1.6611437")), 5) == "3,82676");
   CHECK(rounded(product(Fifty("1.0004762"), Fifty("2.3025851"), Fifty("1.6611437")), 5) == "3,82675");
@@ -126,7 +126,7 @@ const Doubtful the_factor{
     "§31, (1), the first factor",
     {"1,0004801", 1.0004801},
     {"1,0004762", 1.0004762},
-    "the printed product asks for it, and it is the series of §30",
+    "the product asks for it, and it is the series of §30",
     [](double factor) { return factor * 2.3025851 * 1.6611437 == printed("3,82675"); }};
 
 const Doubtful one_logarithm{

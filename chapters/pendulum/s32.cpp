@@ -87,14 +87,14 @@ reaches the sixth decimal.
 ## Checks
 */
 
-CHECK_THAT("from Euler's logarithm of two the table gives every other line as he prints it")
+CHECK_THAT("from Euler's logarithm of two the table gives every other line as our copy has it")
 {
   const std::vector<Line> lines = reckoning(exact::pi() / 72);
   for(std::size_t i = 1; i < lines.size(); ++i)
     CHECK(lines[i].reckoned == lines[i].printed);
 }
 
-CHECK_THAT("both members are right as printed, and to five decimals the three are enough")
+CHECK_THAT("both members are right as they stand, and to five decimals the three are enough")
 {
   const Fifty alpha = exact::pi() / 72;
   const auto m = three_members(alpha, 40);
@@ -118,7 +118,7 @@ const Erratum ln_two{"§§32 and 36, l 0,6931472",
 Our copy garbles the factor of the third member twice. The logarithm beside it settles both.
 */
 
-bool has_the_printed_logarithm(double factor)
+bool has_his_logarithm(double factor)
 {
   return std::log10(factor) + 10 == within(9.8750613, 0.5e-7, "half a unit of the last place");
 }
@@ -127,13 +127,13 @@ const Emendation factor{"§32, the factor of the third member",
                         {"2/7 sin²α", 2.0 / 7},
                         {"¾ sin²α", 0.75},
                         "its logarithm, 9,8750613, stands below",
-                        has_the_printed_logarithm};
+                        has_his_logarithm};
 
 const Emendation its_logarithm{"§32, the line of that factor",
                                {"l ½", 0.5},
                                {"l ¾", 0.75},
                                "9,8750613 stands beside it; l ½ is 9,6989700",
-                               has_the_printed_logarithm};
+                               has_his_logarithm};
 
 /*!
 The true column and the figure come from the three members in fifty digits; here they are formed

@@ -251,3 +251,20 @@ CHECK_THAT(
     }
   }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+From which angle would the seconds pendulum really take four and a half seconds?
+
+answer: From 0.3903°, less than the twelfth part of Euler's five degrees: $\frac2\pi\,l\frac8\eta =
+4\frac12$.
+:::
+*/
+
+CHECK_THAT("four and a half seconds belong to 0.3903°")
+{
+  for(const Told& now : told_at("eta=0.3902782"))
+    CHECK(now.value("T", seconds) == within(4.5, 1e-5, "η to seven digits, and ηη"));
+}

@@ -33,16 +33,16 @@ Each number is looked up twice, once rounded as it should be and once with the f
 struct LookedUp
 {
   const char* number;
-  const char* printed;
+  std::string printed;
 };
 
-constexpr LookedUp look_ups[] = {  // (2)
+const LookedUp look_ups[] = {  // (2)
     {"1.00001904", "0,0000082"},
     {"2.30258509", "0,3622157"},
     {"2.3601799", "0,3729452"}};
 
 /*!
-What is added is what is printed, right or not.
+What is added is what stands there, right or not.
 */
 
 SevenPlaces sum_of_the_printed()
@@ -57,7 +57,7 @@ TELL
 {
   auto& rows = table("look_ups", "the three look-ups, rounded and cut off",
                      {{"number", "number"},
-                      {"printed", "printed"},
+                      {"printed", "he has"},
                       {"rounded", "rounded"},
                       {"cut", "cut off"},
                       {"true", "true", none, 10}});
@@ -83,7 +83,7 @@ TELL
   tell("common", double(common_logarithm_of_cotangent(alpha)), "the common logarithm of cot ½α");
   tell("first", double(three_members(alpha, 200).first), "the first member");
   tell("antilogarithm", double(sum_of_the_printed().number()),
-       "the number whose logarithm is the sum of the printed");
+       "the number whose logarithm is the sum of his three");
 }
 
 TELL
@@ -108,18 +108,18 @@ but a unit too large. The one makes good the other, and the sum is right. The nu
 {{first|8}}.
 
 ::: figure pendulum-35
-alt: How far each of the three printed logarithms and their sum lie from the true ones, in units of the
+alt: How far each of his three logarithms and their sum lie from the true ones, in units of the
 seventh place: the first two thirds of a unit below, the second close to the truth, the third almost a whole
 unit above, the sum a third of a unit above.
 
-How far the printed logarithms lie from the true ones. Rounding alone stays within the shaded half unit. The
+How far his logarithms lie from the true ones. Rounding alone stays within the shaded half unit. The
 first and the third leave it to opposite sides; the sum is inside again.
 :::
 
 ## Checks
 */
 
-CHECK_THAT("of the three printed logarithms the first is cut off, the second rounded, the third neither")
+CHECK_THAT("of his three logarithms the first is cut off, the second rounded, the third neither")
 {
   const auto rounded = [](int i) { return SevenPlaces::of(Fifty(look_ups[i].number)).text(); };
   const auto cut_off = [](int i) { return SevenPlaces::cut_off(Fifty(look_ups[i].number)).text(); };
@@ -146,7 +146,7 @@ CHECK_THAT("they are added rightly, the sum is the member's true logarithm, and 
 const Erratum third_logarithm{"§35, l 2,3601799",
                               {"0,3729452", 0.3729452},
                               {"0,3729451", 0.3729451},
-                              "neither rounding nor cutting off leads to what is printed",
+                              "neither rounding nor cutting off leads to what he has",
                               [](double reading) {
                                 return augmented_logarithm(Fifty("2.3601799"))
                                        == within(reading, 0.5e-7, "half a unit of the last place");
@@ -187,8 +187,7 @@ CHECK_THAT("the figure shows two thirds below, almost nothing, nearly one above,
       decimal[decimal.find(',')] = '.';
       const Fifty off = (Fifty(decimal) - log(Fifty(look_ups[i].number)) / ten) * 10'000'000;
       CHECK(points[i].value("line") == within(Fifty(static_cast<int>(i) + 1), 0, "a count"));
-      CHECK(points[i].value("off")
-            == within_relative(off, 1e-12, "fifty digits, a printed one less a true"));
+      CHECK(points[i].value("off") == within_relative(off, 1e-12, "fifty digits, one of his less a true"));
       sum += off;
     }
     CHECK(points[3].value("off") == within_relative(sum, 1e-12, "errors add"));

@@ -25,7 +25,7 @@ $$ \begin{aligned} l\,\text{membr. II} &= 9{,}8408088 \\ l\,\tfrac34 &= 9{,}8750
 
 After the first word of the next sentence {{entry lost_result}} the copy goes on in the middle of
 {{sec pendulum.37}}. In between Euler must have collected the members, as he does in {{sec pendulum.33}}.
-Those that he prints add up to
+Those that our copy has add up to
 
 $$ 5{,}43461 + 0{,}69312 + 0{,}00004 = 6{,}12777, \tag{A} $$
 
@@ -37,7 +37,7 @@ $$ T = \tfrac2\pi\cdot 6{,}12777\,\Theta = {{mended|6}}\,\Theta. \tag{B} $$
 ## The program
 
 The reckoning is that of {{sec pendulum.32}}, from the same logarithm of two, and the lost sum is put together
-from what is printed.
+from what is there.
 */
 
 std::vector<Line> reckoning(const Fifty& alpha)  // (1), (2)
@@ -55,7 +55,7 @@ TELL
 {
   tell_lines("lines", "the reckoning, line by line", reckoning(swing_.eta.fifty() / 2),
              swing_.eta == 1_deg);
-  tell("restored", restored_sum, "the sum of the members printed for 1°: inferred, not in the copy");
+  tell("restored", restored_sum, "the sum of his members for 1°: inferred, not in the copy");
   tell("mended", 2 / std::numbers::pi * restored_sum, "T/Θ for 1° by that sum");  // (B)
   tell("T_over_Theta", ratio_by_mean(swing_.eta.fifty()), "T/Θ to thirty digits");
   tell("T", Theta * swing::ratio({swing_.zeta, swing_.eta}), seconds, "one swing");
@@ -86,21 +86,21 @@ alt: T over Theta against the angle from the top on a logarithmic scale that run
 tenth of a degree. The exact curve is nearly a straight line, and so is Euler's rule above it, steeper. Both
 examples, at 5 and at 1 degree, are marked on both lines.
 
-Each tenfold approach to the top adds very nearly the same to the time. Euler's rule, with the printed result
+Each tenfold approach to the top adds very nearly the same to the time. Euler's rule, with his result
 of the first example and the restored one of the second, is the same line stretched by $\pi/2$.
 :::
 
 ## Checks
 */
 
-CHECK_THAT("from Euler's logarithm of two every other line follows as it is printed")
+CHECK_THAT("from Euler's logarithm of two every other line follows as it stands")
 {
   const std::vector<Line> lines = reckoning(exact::pi() / 360);
   for(std::size_t i = 1; i < lines.size(); ++i)
     CHECK(lines[i].reckoned == lines[i].printed);
 }
 
-CHECK_THAT("both members are right as printed, and what is left out after them does not matter")
+CHECK_THAT("both members are right as they stand, and what is left out after them does not matter")
 {
   const auto m = three_members(exact::pi() / 360, 40);
   CHECK(m.second == printed("0,69312"));
@@ -127,7 +127,7 @@ const Emendation lost_result{
 const Emendation cosine{"§36, the second factor, in text and reckoning",
                         {"cot α", 1 / std::tan(0.5_deg)},
                         {"cos α", std::cos(0.5_deg)},
-                        "its logarithm is printed beside it",
+                        "its logarithm stands beside it",
                         [](double reading) {
                           return std::log10(reading) + 10
                                  == within(9.9999835, 0.5e-7, "half a unit of the last place");
@@ -182,4 +182,27 @@ CHECK_THAT("the curves are the swing and Euler's rule, and the dots his examples
               == within(rule, 0.44 * std::pow(s, 4) / std::sqrt(1 - s * s) + dot * 2e-5 + 4e-15,
                         "the members' bound"));
       }
+}
+
+/*!
+## Go on from here
+
+::: exercise
+What does a tenfold approach to the top add to the time, and how near must the pendulum be let go for ten
+seconds?
+
+answer: It adds nearly $\frac2\pi\,l\,10$, or 1.46587 Θ: 3.90107 at a degree, 5.36687 at a tenth. Ten
+seconds take $8e^{-5\pi}$ of a radian, a quarter of a second of arc.
+:::
+*/
+
+CHECK_THAT("a tenth of the angle adds nearly 1.46587 Θ, and ten seconds belong to 8e^(−5π)")
+{
+  CHECK(2 / exact::pi() * log(Fifty(10)) == printed("1.46587"));
+  for(const Told& now : told_at("eta=1", "eta=0.1"))
+    CHECK(now.value("T_over_Theta")
+          == within(swing_.eta > 0.5_deg ? 3.90107 : 5.36687, 0.5e-5, "five decimals"));
+  const Fifty eta = 8 * exp(-5 * exact::pi());
+  CHECK(swing::oracle::ratio_from_top(eta) == within(10, 1e-10, "ηη"));
+  CHECK(eta * 648'000 / exact::pi() == within(0.25, 0.003, "seconds of arc"));
 }

@@ -425,7 +425,7 @@ CHECK_THAT("the three bobs are where the motion of two weights, and the cosine o
         else
           to = size > Fifty("1e-6") ? wide.fifty() * (phase < 0 ? -1 : 1) : Fifty(0);
       }
-      CHECK(rows[i].words("bob") == (i == 0 ? "Huygens" : i == 1 ? "Euler" : "the exact curve"));
+      CHECK(rows[i].words("bob") == std::string(i == 0 ? "Huygens" : i == 1 ? "Euler" : "the exact curve"));
       CHECK(rows[i].value("angle", degrees) == within(to, 2e-9, "2000 steps, and the roots of heights"));
       const Fifty size = abs(to), side = to < 0 ? -1 : 1, used = i == 0 ? Fifty(0) : ratio;
       if(i < 2)

@@ -127,8 +127,8 @@ Real sum_by_columns(Real alpha, int columns)
 // [sum_by_columns]
 
 // [sum_with_one_logarithm]
-/// The whole array in one column, K(cos α) = Σ a_n² xⁿ (ln(4/sin α) − r_n) with r_n = Σ 2/((2i+1)(2i+2)), i <
-/// n: its first `terms` terms. Domain: 0 < α < 90°, radians; terms ≥ 0.
+/// The whole array in one column, K(cos α) = Σ a_n² xⁿ (ln(4/sin α) − r_n), where r_n is the sum of
+/// 2/((2i+1)(2i+2)) for i < n: its first `terms` terms. Domain: 0 < α < 90°, radians; terms ≥ 0.
 template <class Real>
 Real sum_with_one_logarithm(Real alpha, int terms)
 {

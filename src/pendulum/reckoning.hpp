@@ -1,5 +1,5 @@
 /// @file
-/// A reckoning on paper, line by line: what is printed, what a calculator with a table finds, and what
+/// A reckoning on paper, line by line: what our copy has, what a calculator with a table finds, and what
 /// is true.
 #pragma once
 
@@ -18,21 +18,21 @@ namespace pendulum
 struct Line
 {
   const char* what;      ///< what it is the number of
-  const char* printed;   ///< as Euler prints it
+  std::string printed;   ///< as our copy has it
   std::string reckoned;  ///< as honest work with a seven-place table gives it
   exact::Fifty truth;    ///< as it should be
 };
 
-/// Tells the lines as the table `name`; the printed numbers and their verdicts are left out unless the
+/// Tells the lines as the table `name`; his numbers and their verdicts are left out unless the
 /// parameters are `his` own.
 inline void tell_lines(const char* name, const char* caption, const std::vector<Line>& lines, bool his)
 {
   auto& rows = edition::table(name, caption,
                               {{"what", "what"},
-                               {"printed", "printed"},
+                               {"printed", "our copy has"},
                                {"reckoned", "reckoned"},
                                {"true", "true", edition::none, 10},
-                               {"verdict", "what is printed is"}});
+                               {"verdict", "what it has is"}});
   for(const Line& l : lines)
     rows.row({l.what, his ? l.printed : "", l.reckoned, static_cast<double>(l.truth),
               his ? verdict(l.printed, l.reckoned, l.truth) : ""});
@@ -40,7 +40,7 @@ inline void tell_lines(const char* name, const char* caption, const std::vector<
 
 // [last_members]
 /// Euler's reckoning of the second and the third member of his time (§§32, 36), cos α l 2 and ¾ sin²α
-/// times that, beside his eight printed lines, of which the first is what he starts from.
+/// times that, beside his eight lines, of which the first is what he starts from.
 /// Domain: 0 < α < π/2, radians.
 inline std::vector<Line> last_members(const exact::Fifty& alpha, const std::array<const char*, 8>& printed)
 {

@@ -52,9 +52,18 @@ function judged() {
     if (box.width < 100 || box.height < 50 || !svg.querySelector('path, polyline'))
       say('a figure without a drawing', svg);
     if (!svg.querySelector('title')?.textContent.trim()) say('a figure without a title', svg);
+    if (document.querySelector('[id^="eq-"]'))
+      for (const word of svg.querySelectorAll('text'))
+        for (const [, number] of word.textContent.matchAll(/(?:^|[\s,])\((\d+|[A-Z])\)/g))
+          if (!document.getElementById(`eq-${number}`)) say(`a figure names a formula (${number}) that the page has not`, word);
   }
   for (const image of document.images)
     if (!image.complete || !image.naturalWidth) say('an image that did not load', image);
+  const dots = document.querySelectorAll('.needs circle');
+  document.querySelectorAll('.needs li').forEach((li, i) => {
+    const [line, dot] = [li, dots[i]].map((e) => e.getBoundingClientRect());
+    if (dot.top < line.top - 2 || dot.bottom > line.bottom + 2) say('a dot of the map beside its line', li);
+  });
   if (innerWidth < 500) {
     for (const svg of document.querySelectorAll('figure svg:not(.katex svg)'))
       for (const word of svg.querySelectorAll('text, tspan[font-size]')) {
@@ -77,6 +86,13 @@ function judged() {
     if (heading.tagName[1] - level > 1) say('a heading that skips a level', heading);
     level = Number(heading.tagName[1]);
   }
+  if (innerWidth > 1200)
+    for (const folded of document.querySelectorAll('details.claims')) {
+      folded.open = true;
+      const table = folded.querySelector('.table');
+      if (table && table.scrollWidth > table.clientWidth + 2) say('a table of claims that is cut', table);
+      folded.open = false;
+    }
   if (innerWidth > 1200)
     for (const formula of document.querySelectorAll('main .formula'))
       if (formula.scrollWidth > formula.clientWidth + 1) say('a formula wider than its column', formula);
