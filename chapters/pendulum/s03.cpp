@@ -209,7 +209,7 @@ CHECK_THAT("the figure has three weights with their centre of gravity and radius
 How far from its middle must the rod be hung for the moment about the axis to be twice that about the
 middle? {{sec pendulum.06}} will tell what is remarkable about this place.
 
-answer: Where $aa = kk$, at $L/\sqrt{12}$ or 0.288675 metres. Hung there it swings the fastest.
+answer: Where $aa = kk$, at $L/\sqrt{12}$ or {{k|6}} metres. Hung there it swings the fastest.
 :::
 */
 

@@ -376,8 +376,8 @@ CHECK_THAT("the figures are the body's lines and arcs, and four exact motions")
 Hang the rod not by its end but a sixth of a metre from its middle, and start it to the same amplitude.
 Where is it after a second? And if it were a thousand times as heavy?
 
-answer: Where it was before, at −10.3°, and its mass does not matter. Both places have the same $b$: hung
-by its centre of oscillation, a body keeps its time ({{sec pendulum.06}}).
+answer: Where it was before, at {{phi|deg1}}, and its mass does not matter. Both places have the same $b$:
+hung by its centre of oscillation, a body keeps its time ({{sec pendulum.06}}).
 :::
 */
 

@@ -345,9 +345,9 @@ CHECK_THAT("the figure's counts are the fewest terms and steps")
 Foretell from the numbers for 5° how many terms the two series take at 2.5° from the top, and how many
 steps the mean.
 
-answer: About four times 3791 terms of {{eq 1}}, twice 46 of {{eq A}}, and four steps as before. The
-program counts 14898, 89 and 4: a little fewer, because the part that may be left out is one of a longer
-time.
+answer: About four times {{needed}} terms of {{eq 1}}, twice {{needed_landen}} of {{eq A}}, and four steps as
+before. The program counts 14898, 89 and 4: a little fewer, because the part that may be left out is one of a
+longer time.
 :::
 */
 

@@ -191,8 +191,8 @@ CHECK_THAT("the curves are the swing and Euler's rule, and the dots his examples
 What does a tenfold approach to the top add to the time, and how near must the pendulum be let go for ten
 seconds?
 
-answer: It adds nearly $\frac2\pi\,l\,10$, or 1.46587 Θ: 3.90107 at a degree, 5.36687 at a tenth. Ten
-seconds take $8e^{-5\pi}$ of a radian, a quarter of a second of arc.
+answer: It adds nearly $\frac2\pi\,l\,10$, or 1.46587 Θ: {{T_over_Theta|6}} at a degree, 5.36687 at a tenth.
+Ten seconds take $8e^{-5\pi}$ of a radian, a quarter of a second of arc.
 :::
 */
 
