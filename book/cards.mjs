@@ -54,7 +54,9 @@ export function parameters(section, live) {
     (p) =>
       `<tr data-parameter="${p.name}"><th scope="row"><code class="whole">${p.name}</code></th>` +
       `<td${live ? ' class="field"' : ''}>${live ? field(p) : defaultOf(p)}</td>` +
-      `<td class="word range">${escape(p.range)}</td><td class="word">${escape(p.meaning)}</td></tr>`,
+      `<td class="word range">${escape(p.range)}</td><td class="word">${escape(p.meaning)}${
+        p.default_at_most ? `; unless given, at most ${escape(p.default_at_most)}` : ''
+      }</td></tr>`,
   );
   return (
     `<section class="parameters" data-program="${section.name}">\n` +

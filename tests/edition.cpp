@@ -17,6 +17,9 @@ Section& scene()
   [[maybe_unused]] static const AmplitudeParameter pair = amplitude(90_deg, closed(0_deg, 180_deg));
   [[maybe_unused]] static const Parameter<double> b = real("b", 0.1, metres, scale, "a length");
   [[maybe_unused]] static const Parameter<int> n = integer("n", 5, 1, 9, "a number of terms");
+  [[maybe_unused]] static const Parameter<double> whole = angle("whole", 90_deg, scale, "an angle");
+  [[maybe_unused]] static const Parameter<double> part =
+      angle("part", at_most(40_deg, "half of whole", [] { return whole.fifty() / 2; }), scale, "one in it");
   choose(*sections().front());
   return section();
 }
@@ -72,6 +75,21 @@ TEST_CASE("defaults come back, and the ends of a range belong to it")
     CHECK(refusal("zeta", end).empty());
   for(const char* end : {"1e-100", "1e100"})
     CHECK(refusal("b", end).empty());
+}
+
+TEST_CASE("a default keeps to what another parameter allows, to all digits, and what is given does not")
+{
+  Section& s = scene();
+  set_parameters(s, {});
+  CHECK(parameter(s, "part").exact == parameter(s, "part").exact_default);
+  set_parameters(s, {{"whole", "0.2"}});
+  CHECK(parameter(s, "part").exact == parameter(s, "whole").exact / 2);
+  CHECK(parameter(s, "part").shown == 0.1);
+  CHECK(parameter(s, "part").value == static_cast<double>(exact::pi() / 1800));
+  set_parameters(s, {{"whole", "0.2"}, {"part", "50"}});
+  CHECK(parameter(s, "part").shown == 50);
+  set_parameters(s, {});
+  CHECK(parameter(s, "part").given.empty());
 }
 
 TEST_CASE("what is no number of the range is refused in words that help")

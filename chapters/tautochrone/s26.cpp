@@ -50,7 +50,10 @@ knows ({{api tautochrone::defect}}).
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
 const auto k = real("k", 0.1, metres, scale, "radius of gyration");
-const auto phi = angle("phi", 30_deg, above_to(0_deg, 89_deg), "angle of MG with the vertical");
+const auto phi = angle("phi",
+                       at_most(30_deg, "where the curve ends",
+                               [] { return k < a ? end(Member::highest, k / a).phi : 30_deg; }),
+                       above_to(0_deg, 89_deg), "angle of MG with the vertical");
 
 struct Lengths  ///< Those of (1) and GT, of any numbers.
 {

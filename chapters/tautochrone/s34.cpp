@@ -154,7 +154,14 @@ swings, there and back, are left out of the time first.
 */
 
 const auto body = real("body", 0.3, none, closed(0.02, 0.9), "k/a of the three bodies");
-const auto wide = angle("wide", 30_deg, closed(1_deg, 80_deg), "the angle at which they are let go");
+const auto wide = angle("wide",
+                        at_most(30_deg, "nine tenths of where the first of the curves ends",
+                                [] {
+                                  return 0.9
+                                         * std::min(largest_amplitude(Cheeks::euler_k4, body),
+                                                    end(Member::highest, body).phi);
+                                }),
+                        closed(1_deg, 80_deg), "the angle at which they are let go");
 const auto swings = real("swings", 78, none, closed(0, 1e5), "time since then, in swings of the exact one");
 
 double angle_after(Cheeks cheeks,

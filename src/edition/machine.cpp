@@ -174,6 +174,7 @@ std::string as_json(const Section& s)
   for(const char* list : {"parameters", "values", "tables", "curves", "races"})
     j[list] = ordered_json::array();
   for(const ParameterEntry& p : s.parameters)
+  {
     j["parameters"].push_back({{"name", p.name},
                                {"kind", type_name(p.type)},
                                {"unit", p.unit.symbol},
@@ -186,6 +187,9 @@ std::string as_json(const Section& s)
                                {"hi_open", p.range.hi_open},
                                {"log", p.logarithmic},
                                {"meaning", p.meaning}});
+    if(p.usual.most)
+      j["parameters"].back()["default_at_most"] = p.usual.most_in_words;
+  }
   for(const ToldValue& v : s.said.values)
   {
     const auto* x = std::get_if<double>(&v.number);

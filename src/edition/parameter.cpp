@@ -55,7 +55,20 @@ void set_exact(ParameterEntry& p, const Fifty& in_its_unit)
   p.shown = static_cast<double>(in_its_unit);
 }
 
-std::size_t declare(Type type, const char* name, double default_value, Unit unit, Range range,
+/// Gives what keeps to other parameters' values, and was not given itself, its default at these values.
+void keep_to_others(ParameterEntry& p)
+{
+  if(!p.given.empty() || !p.usual.most)
+    return;
+  const Fifty most = p.usual.most();
+  if(!(most < p.exact_default))
+    return;
+  p.exact = most;
+  p.value = static_cast<double>(most);
+  p.shown = static_cast<double>(to_unit(most, p.unit));
+}
+
+std::size_t declare(Type type, const char* name, const Default& default_value, Unit unit, Range range,
                     const char* meaning, Source source)
 {
   Section& s = section();
@@ -71,7 +84,8 @@ std::size_t declare(Type type, const char* name, double default_value, Unit unit
   p.exact_lo = from_unit(tidy(range.lo, unit), unit);
   p.exact_hi = from_unit(tidy(range.hi, unit), unit);
   p.logarithmic = type != Type::integer && range.lo >= 0 && range.hi >= 1e6 * std::max(range.lo, 1e-6);
-  const Fifty written = tidy(default_value, unit);
+  p.usual = default_value;
+  const Fifty written = tidy(default_value.usual, unit);
   p.exact_default = from_unit(written, unit);
   p.default_shown = static_cast<double>(written);
   set_exact(p, written);
@@ -84,9 +98,11 @@ std::size_t declare(Type type, const char* name, double default_value, Unit unit
       fault("is declared twice");
   if(!(range.lo <= range.hi))
     fault("has a range that ends before it begins");
-  else if(!std::isfinite(default_value) || p.exact < p.exact_lo || p.exact > p.exact_hi
+  else if(!std::isfinite(default_value.usual) || p.exact < p.exact_lo || p.exact > p.exact_hi
           || (range.lo_open && p.exact == p.exact_lo) || (range.hi_open && p.exact == p.exact_hi))
     fault("has a default out of its range");
+  else if(p.usual.most && p.usual.most() < p.exact_default)
+    fault("has a default above what it is at most");
   s.parameters.push_back(std::move(p));
   return s.parameters.size() - 1;
 }
@@ -194,8 +210,13 @@ Parameter<int>::operator int() const
   return static_cast<int>(section().parameters[index_].value);
 }
 
-Parameter<double> real(const char* name, double default_value, Unit unit, Range range, const char* meaning,
-                       Source source)
+Default at_most(double usual, const char* in_words, std::function<Fifty()> most)
+{
+  return {usual, in_words, std::move(most)};
+}
+
+Parameter<double> real(const char* name, const Default& default_value, Unit unit, Range range,
+                       const char* meaning, Source source)
 {
   return Parameter<double>(declare(Type::real, name, default_value, unit, range, meaning, source));
 }
@@ -207,7 +228,7 @@ Parameter<int> integer(const char* name, int default_value, int lo, int hi, cons
                                 closed(lo, hi), meaning, source));
 }
 
-Parameter<double> angle(const char* name, double default_value, Range range, const char* meaning,
+Parameter<double> angle(const char* name, const Default& default_value, Range range, const char* meaning,
                         Source source)
 {
   return Parameter<double>(declare(Type::angle, name, default_value, degrees, range, meaning, source));
@@ -362,6 +383,8 @@ void set_parameters(Section& s, const std::vector<std::pair<std::string, std::st
     set_parameter(*p, text);
   }
   reconcile_amplitude(s);
+  for(ParameterEntry& p : s.parameters)
+    keep_to_others(p);
 }
 
 void require(bool possible, const char* parameter, const char* allowed_in_words)

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -173,6 +174,25 @@ constexpr Source here(const char* file = __builtin_FILE(), int line = __builtin_
   return {file, line};
 }
 
+/// A default that keeps to what other parameters allow; made by at_most().
+struct Default
+{
+  /// The same number always.
+  Default(double always) : usual(always) {}
+  /// See at_most().
+  Default(double otherwise, const char* in_words, std::function<Fifty()> end)
+      : usual(otherwise), most_in_words(in_words), most(std::move(end))
+  {
+  }
+  double usual;                    ///< The default.
+  const char* most_in_words = "";  ///< What it is at most; empty where nothing.
+  std::function<Fifty()> most{};   ///< The same in the program's unit, at the other parameters' values.
+};
+/// The default `usual`, but `most()` where that is less: `at_most(40_deg, "phi0", [] { return phi0.fifty(); })`.
+/// `most` may look at parameters that were declared before, whatever their ranges let them be; it must lie in
+/// the range of the one that is declared.
+Default at_most(double usual, const char* in_words, std::function<Fifty()> most);
+
 /// A quantity that Euler leaves free: an option of the program, a number in its code.
 template <class Number>
 class Parameter
@@ -190,13 +210,13 @@ private:
 };
 
 /// Declares a real parameter, the option `--name`. The default must lie in the range.
-Parameter<double> real(const char* name, double default_value, Unit unit, Range range, const char* meaning,
-                       Source source = here());
+Parameter<double> real(const char* name, const Default& default_value, Unit unit, Range range,
+                       const char* meaning, Source source = here());
 /// Declares a whole number from `lo` to `hi`.
 Parameter<int> integer(const char* name, int default_value, int lo, int hi, const char* meaning,
                        Source source = here());
 /// Declares an angle: in radians here, in degrees on the command line, where `1.2rad` works too.
-Parameter<double> angle(const char* name, double default_value, Range range, const char* meaning,
+Parameter<double> angle(const char* name, const Default& default_value, Range range, const char* meaning,
                         Source source = here());
 
 /// The amplitude of a swing in both its guises, ζ from the lowest point and η = 180° − ζ from the top.

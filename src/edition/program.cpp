@@ -29,8 +29,9 @@ struct Request
 
 std::string option_help(const ParameterEntry& p)
 {
-  return fmt::format("{} (default {}; {})", p.meaning, with_unit(show(p.default_shown, 12), p.unit),
-                     allowed(p));
+  const std::string most = p.usual.most_in_words;
+  return fmt::format("{} (default {}{}; {})", p.meaning, with_unit(show(p.default_shown, 12), p.unit),
+                     most.empty() ? "" : ", or " + most + " where that is less", allowed(p));
 }
 
 /// What may follow an option on the command line.

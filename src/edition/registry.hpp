@@ -44,6 +44,7 @@ struct ParameterEntry
   bool logarithmic;      ///< Whether a hand that slides it wants a logarithmic scale.
   Fifty exact_default;   ///< In the program's unit.
   double default_shown;  ///< In `unit`.
+  Default usual{0};      ///< As it was declared.
 
   Fifty exact;        ///< In the program's unit: radians for an angle.
   double value;       ///< `exact`, rounded.

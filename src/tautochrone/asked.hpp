@@ -5,11 +5,21 @@
 #include "edition/section.hpp"
 #include "tautochrone/thread.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <numbers>
 
 namespace tautochrone
 {
+
+/// Nine tenths of the angle at which the thread is all wound, in radians, for k = ratio and a = 1: what a swing may
+/// be by default. Not less than 1e-7°, and for a ratio that no section accepts what it is at the nearest one that
+/// some does.
+inline double ample(Cheeks cheeks, double ratio)
+{
+  using namespace edition;
+  return std::max(0.9 * largest_amplitude(cheeks, std::clamp(ratio, 1e-10, 1e10)), 1e-7_deg);
+}
 
 /// The place φ of a swing out to φ₀ between the cheeks, for k = ratio and a = 1. Refuses, by the names of the
 /// sections' options, a k that is not from 1e-9 a to 1e9 a, a swing beyond the cheeks' end, and a φ beyond φ₀.
