@@ -11,7 +11,7 @@ plot tsv("tautochrone-28.left_sides") using "ratio":"n0" with lines linetype 6, 
      "" using "ratio":"n1" with lines linetype 5, \
      "" using "ratio":"n2" with lines linetype 2, \
      "" using "ratio":"n3" with lines linetype 3, \
-     "" every ::8::8 using "ratio":"n0":("cycloid") with labels left offset 0, 0.9 textcolor linetype 6, \
+     "" every ::8::8 using "ratio":"n0":("cycloid") with labels left offset 0, 1.2 textcolor linetype 6, \
      "" every ::8::8 using "ratio":"n1":("with {/:Italic P}") with labels left offset -1.5, 1.3 textcolor linetype 5, \
-     "" every ::14::14 using "ratio":"n2":("Euler") with labels left offset 0.8, -0.7 textcolor linetype 2, \
+     "" every ::8::8 using "ratio":"n2":("Euler") with labels left offset -1.5, 1.2 textcolor linetype 2, \
      "" every ::12::12 using "ratio":"n3":("three") with labels left offset 0.8, -0.7 textcolor linetype 3
