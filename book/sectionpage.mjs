@@ -146,20 +146,22 @@ export function sectionPage(s, book) {
         fault(b.line, 'a race stands under the heading "Speed against error"');
       return folded(b, fault) + (b === last ? '\0told\0' : '');
     },
-    check(b) {
+    check(b, of) {
       const run = s.check.cases.find((c) => c.name === b.name);
       if (!run) {
         missed = true;
         return fault(b.line, `the check "${b.name}" was not run`);
       }
       checks += 1;
+      // What confirms an answer would give it away.
+      const [fold, end] = of === 'Go on from here' ? ['<details class="folded"><summary>what confirms it</summary>', '</details>'] : ['', ''];
       return (
         html(
-          `<section class="check" id="check-${checks}"><p class="statement">${verdict(run.passed)} ` +
+          `${fold}<section class="check" id="check-${checks}"><p class="statement">${verdict(run.passed)} ` +
             `${escape(sentence(b.name))}${anchor(`check-${checks}`)}</p>`,
         ) +
         code(b.code, b.line, fault) +
-        html(`${claims(run.claims, checks)}</section>`)
+        html(`${claims(run.claims, checks)}</section>${end}`)
       );
     },
   };

@@ -469,6 +469,16 @@ for (const [name, [spoilt, message, piece]] of Object.entries(faults))
     assert.equal(status, 1);
   });
 
+test('what confirms an answer is folded as the answer is', () => {
+  const claimed = 'CHECK_THAT("half of one is a half")\n{\n  CHECK(half(1) == 0.5);\n}\n';
+  const { stderr, page } = weave((files) => {
+    files.replace('s11.cpp', claimed, '');
+    files.replace('s11.cpp', 'answer: One.\n:::\n*/\n', `answer: One.\n:::\n*/\n\n${claimed}`);
+  });
+  assert.equal(stderr, '');
+  assert.match(page(), /<details class="folded"><summary>what confirms it<\/summary><section class="check" id="check-1">/);
+});
+
 test('refused: an orphan figure script', () => {
   assert.match(
     weave((files) => files.add('figures/pendulum-12.gp', figure)).stderr,
