@@ -716,3 +716,16 @@ test('the palette is readable on its paper, light and dark', () => {
         `${c.name}, ${which}: ${contrast(c[which], paper[which])}`,
       );
 });
+
+test('the pages say what our copy has, not what is printed', () => {
+  const said = [];
+  for (const chapter of fs.readdirSync(path.join(root, 'chapters'), { withFileTypes: true }).filter((d) => d.isDirectory()))
+    for (const name of fs.readdirSync(path.join(root, 'chapters', chapter.name))) {
+      const text = fs.readFileSync(path.join(root, 'chapters', chapter.name, name), 'utf8');
+      const prose = name.endsWith('.md') ? [text] : [...text.matchAll(/\/\*![^]*?\n\*\/|"[^"\n]*"/g)].map(([piece]) => piece);
+      for (const piece of prose)
+        if (piece !== '"printed"' && /\bprinted\b/.test(piece.replace(/\{\{[^{}]*\}\}/g, '')))
+          said.push(`${chapter.name}/${name}: ${/[^\n]*\bprinted\b[^\n]*/.exec(piece)[0]}`);
+    }
+  assert.deepEqual(said, []);
+});
