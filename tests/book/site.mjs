@@ -64,6 +64,8 @@ function judged() {
     const [line, dot] = [li, dots[i]].map((e) => e.getBoundingClientRect());
     if (dot.top < line.top - 2 || dot.bottom > line.bottom + 2) say('a dot of the map beside its line', li);
   });
+  for (const svg of document.querySelectorAll('figure.scene svg'))
+    if (svg.getBoundingClientRect().width > svg.parentElement.clientWidth + 1) say('a scene that is cut', svg);
   if (innerWidth < 500) {
     for (const svg of document.querySelectorAll('figure svg:not(.katex svg)'))
       for (const word of svg.querySelectorAll('text, tspan[font-size]')) {
