@@ -137,6 +137,7 @@ SWING_INLINE void read_motion(const Rows& rows, const double* t, double* out, st
   }
 }
 
+// For one time alone, which is not tiny.
 template <bool turning>
 double read_one(const Rows& rows, double t)
 {

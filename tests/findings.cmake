@@ -1,0 +1,18 @@
+# Fails where findings/README.md does not list each script of the folder once, in the order of the alphabet, or where a script
+# does not say in its head what was seen, or does not compare it with what it sees.
+cmake_minimum_required(VERSION 3.22)
+file(GLOB scripts RELATIVE ${ROOT}/findings ${ROOT}/findings/*.sh)
+list(REMOVE_ITEM scripts room.sh)
+list(TRANSFORM scripts REPLACE "\\.sh$" "")
+list(SORT scripts)
+file(STRINGS ${ROOT}/findings/README.md rows REGEX "^\\| `")
+list(TRANSFORM rows REPLACE "^\\| `([^`]*)` .*" "\\1")
+if(NOT scripts OR NOT rows STREQUAL scripts)
+  message(SEND_ERROR "findings/README.md lists\n${rows}\nand not\n${scripts}")
+endif()
+foreach(script IN LISTS scripts)
+  file(READ ${ROOT}/findings/${script}.sh text)
+  if(NOT text MATCHES "^#!/bin/sh\n" OR NOT text MATCHES "\n#> " OR NOT text MATCHES "\nas_seen ")
+    message(SEND_ERROR "findings/${script}.sh: its first line is #!/bin/sh, what was seen stands after #>, and as_seen compares")
+  endif()
+endforeach()
