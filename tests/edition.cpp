@@ -92,6 +92,40 @@ TEST_CASE("a default keeps to what another parameter allows, to all digits, and 
   CHECK(parameter(s, "part").given.empty());
 }
 
+TEST_CASE(
+    "a whole number is read in decimal however it is written, and compared with its range before it is cut")
+{
+  Section& s = scene();
+  const auto n = [&s](const char* text) {
+    set_parameters(s, {{"n", text}});
+    return parameter(s, "n").value;
+  };
+  CHECK(n("07") == 7);
+  CHECK(n("009") == 9);
+  CHECK(n("+3") == 3);
+  CHECK(n("3.0") == 3);
+  CHECK(n("3.") == 3);
+  CHECK(n("0.5e1") == 5);
+  CHECK(n("80e-1") == 8);
+  CHECK(n("0000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000001")
+        == 1);
+  const auto says = [](const char* text, const char* words) {
+    return refusal("n", text).find(words) != std::string::npos;
+  };
+  // As an int of 32 or 64 bits the first two would be 1.
+  for(const char* beyond : {"4294967297", "18446744073709551617", "2147483648", "9223372036854775808",
+                            "010", "1e3", "1e300", "0", "-0", "-1"})
+    CHECK(says(beyond, "is out of range; allowed: a whole number from 1 to 9"));
+  CHECK(says("1e400", "is not a finite number for a double"));
+  // More digits than are carried, and so near to a whole number that its double is one.
+  CHECK(says("3.0000000000000001", "is not a whole number"));
+  CHECK(says("3.00000000000000000000000000000000000000000000000000000000000000000000000000000000000001",
+             "is not a whole number"));
+  CHECK(says("1e-400", "is not a whole number"));
+  for(const char* odd : {"0x3", "0b11", "3'0", "1_0", "3u", "\u0663", "\uff13", "3 ", "1e", "e3"})
+    CHECK(says(odd, "is not a number"));
+}
+
 TEST_CASE("what is no number of the range is refused in words that help")
 {
   const auto says = [](const char* name, const char* text, const char* words) {

@@ -158,6 +158,21 @@ int far_out(const std::string& decimal)
   return exponent.size() <= 4 ? 0 : negative ? -1 : 1;
 }
 
+/// Whether a decimal number that is not far out is whole, whatever digits it has: behind the point, where the exponent
+/// has moved it, are only noughts.
+bool is_whole(const std::string& decimal)
+{
+  const auto e = std::min(decimal.find_first_of("eE"), decimal.size());
+  const std::string mantissa = decimal.substr(0, e);
+  const auto last = mantissa.find_last_of("123456789");
+  if(last == std::string::npos)
+    return true;
+  const auto point = static_cast<long>(std::min(mantissa.find('.'), mantissa.size()));
+  const long exponent = e < decimal.size() ? std::stol(decimal.substr(e + 1)) : 0;
+  const auto place = static_cast<long>(last);
+  return (place < point ? place + 1 : place) <= point + exponent;
+}
+
 /// Why a text is no number, as helpfully as can be told.
 const char* why_no_number(const std::string& text)
 {
@@ -346,7 +361,7 @@ void set_parameter(ParameterEntry& p, const std::string& text)
   if(const int out = far_out(digits))
     refuse(p, text, out > 0 ? "is not a finite number for a double" : "is too small for a double");
   const Fifty number(digits.front() == '+' ? digits.substr(1) : digits);
-  if(p.type == Type::integer && number != floor(number))
+  if(p.type == Type::integer && !is_whole(digits))
     refuse(p, text, "is not a whole number");
   const Fifty in_its_unit = in_radians ? to_unit(number, p.unit) : number;
   ParameterEntry read = p;
