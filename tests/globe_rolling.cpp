@@ -230,6 +230,53 @@ TEST_CASE("the angle at a time has that time")
     }
 }
 
+TEST_CASE("k = 1 and past a quarter turn: just to the top, and over it")
+{
+  const std::vector<Place<double>> places{place(1.6), place_from_top(1.5), place_from_top(0.3),
+                                          place_from_top(1e-9), place_from_top(1e-200)};
+  for(const Ball<double>& b : {ball, cradle<double>, Ball<double>{1, 5, 2}})
+  {
+    for(const double below : {0.0, -1e-300, -1e-12, -2.0})
+    {
+      const Energy<double> e = energy_from_top(below);
+      std::vector<double> together(places.size());
+      rolling::time(b, e, places, together);
+      for(std::size_t i = 0; i < places.size(); ++i)
+      {
+        const Place<Fifty> exact_place =
+            i == 0 ? Place<Fifty>{places[i].s, sqrt(1 - Fifty(places[i].s) * Fifty(places[i].s))}
+                   : Place<Fifty>{sqrt(1 - Fifty(places[i].c) * Fifty(places[i].c)), places[i].c};
+        const Fifty exact = rolling::time(exactly(b), Energy<Fifty>{1 - Fifty(below), below}, exact_place);
+        CHECK(rolling::time(b, e, places[i]) == within_ulps(exact, 8, bound));
+        CHECK(together[i] == rolling::time(b, e, places[i]));
+      }
+      if(below < 0)
+        CHECK(rolling::time(b, e, place_from_top(0.0))
+              == within_relative(rolling::quarter(b, e), 4e-15, "16 ulps, two ways"));
+    }
+    CHECK(rolling::time(b, energy(1.0), place_from_top(0.0)) == std::numeric_limits<double>::infinity());
+    CHECK_THROWS_AS(rolling::excess(b, energy(1.0)), std::domain_error);
+  }
+  // Rocking, the second quarter goes back through the angles of the first; turning over, each half turn is as long.
+  for(const double below : {0.5, 1e-12, -1e-12, -1.0})
+  {
+    const Energy<double> e = energy_from_top(below);
+    const double quarter = rolling::quarter(ball, e);
+    const double whole = (below > 0 ? 4 : 2) * quarter;
+    const double turned = below > 0 ? 0 : 2 * std::numbers::pi;
+    const double rounded = 4e-15 * whole * 3;  // the times, to 18 ulps, at a velocity below 3
+    for(const double part : {0.2, 0.5, 0.9})
+    {
+      const double Phi = rolling::angle(ball, e, part * quarter).Phi;
+      CHECK(rolling::angle(ball, e, -part * quarter).Phi == -Phi);
+      CHECK(rolling::angle(ball, e, whole + part * quarter).Phi
+            == within(Phi + turned, rounded, "the time is rounded"));
+      CHECK(rolling::angle(ball, e, 2 * quarter - part * quarter).Phi
+            == within(below > 0 ? Phi : turned - Phi, rounded, "the time is rounded"));
+    }
+  }
+}
+
 TEST_CASE("friction and pressure are those of the equations of motion, whatever the energy")
 {
   const Fifty g("15.625");

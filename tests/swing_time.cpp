@@ -359,6 +359,35 @@ TEST_CASE("the time to an angle on the way, from the bottom and from rest")
   CHECK(past.error <= 6);
 }
 
+TEST_CASE(
+    "k = 1, past a quarter turn: the times to an angle are elementary, up to the double before the top")
+{
+  const Amplitude top = Amplitude::from_eta(0);
+  for(const double phi : {1e-300, 1.0, swing::pi_hi / 2, 1.6, 2.0, 3.0, 3.14159265,
+                          std::nextafter(swing::pi_hi, 0.0), swing::pi_hi})
+  {
+    CAPTURE(phi);
+    const Fifty exact = asinh(tan(Fifty(phi) / Fifty(2)));
+    CHECK(exact::ulps(swing::time_from_bottom(phi, top), exact) <= 5);
+    CHECK(swing::time_from_bottom(-phi, top) == -swing::time_from_bottom(phi, top));
+  }
+  CHECK(std::isnan(swing::time_from_bottom(std::nextafter(swing::pi_hi, 4.0), top)));
+  CHECK(swing::time_from_rest(2, 0) == inf);
+  CHECK(swing::time_from_rest_past(1e-300, 0) == inf);
+  // With less than the last place of π to the top; and rest itself, where ζ as a double lies beyond it.
+  for(const double eta : {1e-16, 1e-17, 1e-18, 1e-300})
+    CHECK(exact::ulps(swing::time_from_bottom(swing::pi_hi, Amplitude::from_eta(eta)),
+                      oracle::time_from_bottom(swing::pi_hi, eta))
+          <= 5);
+  for(const double eta : {0.3, 1.0, 1.1, 2.9})
+  {
+    const Amplitude a = Amplitude::from_eta(eta);
+    CHECK(swing::time_from_bottom(a.zeta, a) <= swing::quarter_time(a) * (1 + 0x1p-50));
+    CHECK(swing::time_from_bottom(a.zeta, a)
+          >= swing::quarter_time(a) * (1 - 0x1p-24));  // half an ulp of ζ
+  }
+}
+
 TEST_CASE("the time to an angle: ends and out of range")
 {
   const Amplitude a = Amplitude::from_zeta(2);

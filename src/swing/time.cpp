@@ -296,7 +296,8 @@ double time_from_bottom(double phi, Amplitude a)
     return phi / k / 2;
   const double from_top = supplement(up);
   const double across = std::sin(from_top / 2);
-  const double left = std::sin((a.zeta - up) / 2) / k * (sine_of_half_sum(a.zeta, a.eta, up, from_top) / k);
+  const double before_rest = std::fmax(0, (a.zeta - up) + a.zeta_rest);
+  const double left = std::sin(before_rest / 2) / k * (sine_of_half_sum(a.zeta, a.eta, up, from_top) / k);
   return std::copysign(std::sin(up / 2) / k * carlson_rf(left, across * across, 1),
                        phi);  // divided by k: k² may underflow
 }
