@@ -101,7 +101,7 @@ TEST_CASE(
 
 TEST_CASE("our ball is the homogeneous one with its pellet")
 {
-  const auto [a, c, k] = our_ball<Fifty>;
+  const auto [a, c, k, gap] = our_ball<Fifty>;
   const Fifty about_C = Fifty(4) / 5 * (Fifty(2) / 5) * a * a + Fifty(1) / 5 * (a / 2) * (a / 2);
   CHECK(c == within(Fifty(1) / 5 * a / 2, 1e-50, "one rounding"));
   CHECK(k * k == within(about_C - c * c, 1e-49, "a few roundings"));

@@ -151,6 +151,27 @@ TEST_CASE("scraping is Euler's equations integrated, and keeps the two integrals
   CHECK(x + lambda * (y + 2 * g * t) == within(10, 1e-40, "rounding"));
 }
 
+TEST_CASE(
+    "what friction takes is what the energy has lost, with its own digits where that is hardly anything")
+{
+  const Path<Fifty> exact = let_go_path<Fifty>(11);
+  const Path<double> path = let_go_path<double>(11);
+  for(const char* const t : {"0.001", "1", "1.9", "5", "11"})
+  {
+    const Fifty taken = exact.events()[0].energy - exact.energy(exact.at(Fifty(t)));
+    CHECK(exact.lost(Fifty(t)) == within_relative(taken, 1e-13, "the stated bound"));
+    CHECK(path.lost(std::stod(t))
+          == within_relative(exact.lost(Fifty(std::stod(t))), 1e-13, "the stated bound"));
+  }
+  const double slip = 1e-9;
+  const Path<double> hardly(our_ball<double>, our_g<double>, 1 / 3.0, {0, slip, 0, 2}, 1e-9);
+  const Path<Fifty> as_well({1, Fifty(0.1), Fifty(0.6)}, our_g<Fifty>, Fifty(1 / 3.0),
+                            {0, Fifty(slip), 0, 2}, Fifty(1e-9));
+  CHECK(hardly.lost(1e-9) == within_relative(as_well.lost(Fifty(1e-9)), 1e-13, "the stated bound"));
+  CHECK(hardly.lost(0) == 0);
+  CHECK_THROWS_AS(hardly.lost(2e-9), std::domain_error);
+}
+
 TEST_CASE("rolling on the way has the closed time")
 {
   const Path<double> path = bowled_path<double>();
@@ -248,6 +269,9 @@ TEST_CASE("the judge puts rounded times right, and finds out a change that is ke
   CHECK(judge.at(all, t).Phi == within(let_go_path<Fifty>(3).at(t).Phi, 1e-17, "steps of 1e-20"));
   CHECK(judge.stretches({0, 0, 1, 0}, {times[0], times[2]})[1].margin < 0);
   CHECK(judge.stretches({0, 0, 1, 0}, {times[1]})[0].margin < 0);
+  // The first scraping ends and the next begins, both kept from it, and between two of its places: a dip is seen.
+  const std::vector<oracle::Stretch> kept = judge.stretches({0, 0, 1, 0}, {times[0], times[5]});
+  CHECK(kept[1].margin < 0);
 }
 
 TEST_CASE("what makes no sense is refused")

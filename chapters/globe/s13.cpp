@@ -168,7 +168,7 @@ TELL
 TELL
 {
   auto& errors = table("errors", "Errors of equal steps, for c = 1/10 and k = 3/5",
-                       {{"from_top", "1 − h"},
+                       {{"from_top", "1 − h", none, 1},
                         {"upsilon_16", "16 of υ", none, 2},
                         {"upsilon_80", "80 of υ", none, 2},
                         {"theta_16", "16 of ϑ", none, 2},

@@ -4,6 +4,8 @@
 #include "globe/ball.hpp"
 #include "globe/gauss.hpp"
 #include "globe/oracle.hpp"
+#include "globe/scene.hpp"
+#include "globe/scene_judge.hpp"
 #include "globe/time.hpp"
 
 SECTION(globe, 18, "The ball that never quite turns over")
@@ -117,6 +119,13 @@ TELL
   });
 }
 
+TELL
+{
+  const Ball<double> ball{1, c, k};  // drawn with the radius of our ball
+  if(can_be_seen(ball, 1))
+    scene_of_ball("approach", smooth_motion(ball, g, energy(1.), 0));
+}
+
 /*!
 The ball takes {{t|6}} s for the right angle, and Euler's formula is late by {{late|2}}, although $c$ is a
 sixth of $k$; even where $c = k$ it would be late by no more than {{late_equal|2}}.
@@ -128,6 +137,14 @@ and below the top the points run into one another without reaching it.
 
 Where $G$ stands with respect to $C$ at equal intervals of time, three to the right angle. Near the top it
 needs {{tenfold|3}} s to come ten times nearer, and again {{tenfold|3}} s for every next ten times.
+:::
+
+::: scene approach
+alt: A ball on a level line turns half round, ever more slowly. A grey line, upright and short, is the way of
+its centre of gravity, which in the end stands nearly above the centre.
+
+The motion in true time, with a radius of 1 foot: $G$ goes straight up, since nothing pushes it sideways, and
+hardly moves any more while there is still a little of the half turn to do.
 :::
 
 ## Speed against error
@@ -311,6 +328,22 @@ CHECK_THAT("the points of the climb are where the equations of motion bring the 
       const Fifty Phi = exact::solve(motion, 0, {0, 2 * second / k_}, n * third).y[0];
       CHECK(point.value("x") == within(-sin(Phi), 2e-14, "the library's twenty ulps of the time"));
       CHECK(point.value("y") == within(-cos(Phi), 2e-14, "the same"));
+    }
+  }
+}
+
+CHECK_THAT("the scene is the ball as the equations of motion have it, and it ends before the top")
+{
+  for(const Told& now : told_at("", "c=0.6", "c=0.05 k=1.2 g=2"))
+  {
+    const Ball<Fifty> ball{1, c.fifty(), k.fifty()};
+    const Fifty zeta = sqrt(8 * g.fifty() * ball.c) / ball.k;
+    for(const auto& frame : judged(now.points("approach", 7), Plane::smooth, ball, g.fifty(), 0, zeta))
+    {
+      CHECK(frame.told.value("t") == between(frame.earliest, frame.latest, "in their order"));
+      CHECK(frame.told.value("Phi") == between(0, exact::pi(), "on the way up"));
+      for(const Judged_ball::Number& one : frame.numbers())
+        CHECK(one.told == within(one.right, frame.slack, Judged_ball::because));
     }
   }
 }

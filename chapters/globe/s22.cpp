@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
+#include "exact/quadrature.hpp"
 #include "globe/asked.hpp"
 #include "globe/ball.hpp"
 #include "globe/oracle.hpp"
@@ -97,6 +98,33 @@ Fifty beyond()  // by how much h = ½nn is greater than §20 allows
   return n.fifty() * n.fifty() / 2 - 1 - r * r / 4;
 }
 
+/*!
+By how much {{eq 4}} is too great is told by a difference of the integrands, of which nothing cancels: with
+$x$ for $cc:kk$ times the square of $\sin\Phi$ and $y$ for $2\sin^2\tfrac12\Phi:nn$ Euler has
+$1 + \frac12x + \frac12y$ for
+
+$$ \frac{\sqrt{1+x}}{\sqrt{1-y}} = 1 + \tfrac12x + \tfrac12y + Y + A\,(B - \tfrac12A), \tag{D} $$
+
+$$ A = \sqrt{1+x} - 1, \qquad B = \frac1{\sqrt{1-y}} - 1, \qquad Y = B - \tfrac12y. $$
+*/
+
+Fifty late()  // (4) less the exact time, as a part of this
+{
+  const Fifty r = pow(c.fifty() / k.fifty(), 2), nn = n.fifty() * n.fifty();
+  const auto x_of = [&](const Fifty& ss) { return Fifty(4 * r * ss * (1 - ss)); };
+  const auto lacking = [&](const Fifty& half) {  // (D)
+    const Fifty ss = pow(sin(half), 2), x = x_of(ss), y = 2 * ss / nn, root = sqrt(1 - y);
+    const Fifty A = x / (1 + sqrt(1 + x)), B = y / (root * (1 + root)), below = 1 + root;
+    return Fifty(y * y * (2 + root) / (2 * root * below * below) + A * (B - A / 2));
+  };
+  const auto exactly = [&](const Fifty& half) {
+    const Fifty ss = pow(sin(half), 2);
+    return Fifty(sqrt(1 + x_of(ss)) / sqrt(1 - 2 * ss / nn));
+  };
+  const Fifty right = exact::pi() / 2;
+  return -exact::integrate(lacking, 0, right).value / exact::integrate(exactly, 0, right).value;
+}
+
 TELL
 {
   require(c <= 1.5 * k && k <= 1e40 * c, "c", "between 1e-40 and 3/2 of k: it is to be small");
@@ -110,7 +138,7 @@ TELL
   tell("T_euler", euler / second, seconds, "time of a whole turn, by (4)");
   tell("T_next", (basic + basic * turn(c / k * (c / k), n * n)) / second, seconds, "the same by (C)");
   tell("T", whole / second, seconds, "the same, exactly");
-  tell("late", euler / whole - 1, percent, "(4) less the exact time, as a part of it");
+  tell("late", double(late()), percent, "(4) less the exact time, as a part of it");
   tell("t_euler", smooth::fast_time_by_euler<double>(c, k, n, Phi) / second, seconds,
        "time until Φ, by (3)");
   const Fifty half = Phi.fifty() / 2;
@@ -277,7 +305,15 @@ CHECK_THAT("the times and angles told are those of (3), (C), the integral and it
                                  + exact::pi() * k_ / (n_ * sqrt(g_ * c_))
                                        * (9 / (16 * nn * nn) + q / (8 * nn) - 3 * q * q / 64),
                              2e-15, "a dozen roundings"));
-    CHECK(now.value("late", percent) == within(T4 / T - 1, 6e-15, "of 1, from which it is told"));
+    const Fifty three_members = 9 / (16 * nn * nn) + q / (8 * nn) - 3 * q * q / 64;
+    const Fifty cubes = pow(q + 4 / nn, 3);  // more than the members that follow
+    if(cubes > Fifty("1e-20"))
+      CHECK(
+          now.value("late", percent)
+          == within(T4 / T - 1, 1e-15 * double(abs(T4 / T - 1)) + 1e-34, "rounded; the judge's 35 digits"));
+    else
+      CHECK(now.value("late", percent)
+            == within(-three_members, 1e-15 * double(abs(three_members)) + double(cubes), "(C), rounded"));
     CHECK(now.value("t_euler", seconds)
           == within_relative(time_by_3(at), 2e-15 * double(1 / (1 - 1.5 / nn)), "a sum with differences"));
     CHECK(now.value("t_Phi", seconds)

@@ -200,7 +200,7 @@ TELL
 TELL
 {
   auto& flights = table("flights", "Flights of this ball, by what h exceeds the limit",
-                        {{"excess", "excess"},
+                        {{"excess", "excess", none, 1},
                          {"psi", "lifts off before the top by", degrees, 6},
                          {"past", "comes down behind it by", degrees, 6},
                          {"rise", "rises, in parts of c", none, 4}});

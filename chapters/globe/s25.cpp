@@ -101,7 +101,7 @@ TELL
 {
   require_rolling({a, c, k});
   require(c <= 100 * k, "c", "at most a hundred times k");
-  const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+  const Ball<Fifty> ball = exact_ball(a, c, k);
   const Energy<Fifty> e = asked.rolling(a, c, k, g);
   const Place<Fifty> there = where.fifty();
   require(gets_to(e, there), where.psi == 0 ? "Phi" : "psi", "an angle that the ball gets to");
@@ -128,7 +128,7 @@ TELL
                      {"rolling", "rolling, dΦ/dt", Unit{"1/s"}},
                      {"forward", "of the living force, forward", percent},
                      {"smooth", "smooth, dΦ/dt", Unit{"1/s"}}});
-  const Ball<double> ball{a, c, k};
+  const Ball<double> ball = rounded_ball(a, c, k);
   const Energy<double> e = rounded(asked.rolling(a, c, k, g));
   for(int n = 0; n <= 6; ++n)
   {
@@ -137,7 +137,8 @@ TELL
         n < 6 ? Place<double>{part, std::sqrt((1 - part) * (1 + part))}
               : Place<double>{std::sqrt(std::min(e.h, 1.)), std::sqrt(std::max(e.from_top, 0.))};
     // dx² over (A): dx is a − c cos Φ times dΦ, the height of G
-    const double y = a - c + 2 * c * at.s * at.s, share = y / std::sqrt(bb(ball) + 4 * a * c * at.s * at.s);
+    const double y = ball.gap + 2 * c * at.s * at.s,
+                 share = y / std::sqrt(bb(ball) + 4 * a * c * at.s * at.s);
     const bool rests = n == 6 && !e.turns_over();
     way.row({2 * std::atan2(at.s, at.c), rests ? 0. : rolling_velocity(ball, e, at), share * share,
              rests ? 0. : smooth_velocity(ball, e, at)});
@@ -147,7 +148,7 @@ TELL
 TELL
 {
   curve("portrait", {"Phi_deg", "rolling", "smooth", "h"}, [](Curve& portrait) {
-    const Ball<double> ball{a, c, k};
+    const Ball<double> ball = rounded_ball(a, c, k);
     for(const double h : {0.5, 1.0, 2.0})
     {
       if(h > 0.5)
@@ -188,7 +189,7 @@ The integral is held against the equations of motion, and its left side against 
 
 Fifty square_by_3(const Ball<Fifty>& ball, const Fifty& C, const Fifty& Phi)  // (3), dΦ²/dt²
 {
-  const auto& [a_, c_, k_] = ball;
+  const Fifty &a_ = ball.a, &c_ = ball.c, &k_ = ball.k;
   return 4 * g.fifty() * (C + c_ * cos(Phi)) / (a_ * a_ + c_ * c_ + k_ * k_ - 2 * a_ * c_ * cos(Phi));
 }
 
@@ -196,7 +197,7 @@ CHECK_THAT("the equations of motion, followed from the lowest place, keep to (3)
 {
   for(const Told& now : told_at("", "c=0.5 k=0.5 g=0.5 h=0.9 Phi=30", "c=3 h=0.2 Phi=10"))
   {
-    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    const Ball<Fifty> ball = exact_ball(a, c, k);
     const Fifty h = asked.h.fifty(), C = ball.c * (2 * h - 1);
     const auto motion = [&](const Fifty&, const exact::State& s) {
       return exact::State{s[1], rolling_accelerations<Fifty>(ball, g.fifty(), s[0], s[1]).Phi};
@@ -233,7 +234,7 @@ CHECK_THAT("the velocities told are (3) and the acceleration is that of the equa
                                 "from_top=1e-30 psi=1e-14rad g=1e40", "from_top=-1e-30 psi=1e-14rad c=1e-8",
                                 "a=1e60 c=1e58 k=1e60 h=1e-40 Phi=1e-21rad", "zeta=12"))
   {
-    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    const Ball<Fifty> ball = exact_ball(a, c, k);
     const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Place<Fifty> at = where.fifty();
     const Fifty Phi = where.angle(), C = ball.c * (e.h - e.from_top), g_ = g.fifty();
@@ -306,7 +307,7 @@ CHECK_THAT("the way and the portrait are (3), and §11 on a smooth plane")
   };
   for(const Told& now : told_at("", "c=0.5 k=0.5 g=0.5 h=0.9 Phi=30", "a=1e60 c=1e58 k=1e60 h=1e-10 Phi=0"))
   {
-    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    const Ball<Fifty> ball = exact_ball(a, c, k);
     const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Fifty C = ball.c * (2 * e.h - 1), most = e.h < 1 ? Fifty(2 * asin(sqrt(e.h))) : exact::pi();
     int n = 0;
@@ -330,7 +331,7 @@ CHECK_THAT("the way and the portrait are (3), and §11 on a smooth plane")
   for(const Told& now : told_at(""))
     for(const auto& point : now.points("portrait", 13))
     {
-      const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+      const Ball<Fifty> ball = exact_ball(a, c, k);
       const Fifty h = point.at("h"), Phi = Fifty(point.at("Phi_deg")) / 180 * exact::pi();
       CHECK(point.value("h") == between(0.5, 2, "the three energies"));
       CHECK(point.value("Phi_deg") == between(-180, 180, "all round"));

@@ -106,10 +106,10 @@ double smooth_to_place(const Energy<double>& e, const Place<double>& at)
 
 TELL
 {
-  const Ball<double> ball{a, c, k};
+  const Ball<double> ball = rounded_ball(a, c, k);
   require_rolling(ball);
-  require(c <= 1e6 * k, "c", "at most a million k");
-  const Ball<Fifty> exactly{a.fifty(), c.fifty(), k.fifty()};
+  require(c <= 1e9 * k, "c", "at most a thousand million k");
+  const Ball<Fifty> exactly = exact_ball(a, c, k);
   const Energy<Fifty> exact_e = asked.rolling(a, c, k, g);
   const Place<Fifty> exact_at = where.fifty();
   const Fifty one = sqrt(2 * g.fifty() * exactly.c);
@@ -133,9 +133,10 @@ TELL
 
 TELL
 {
-  auto& energies = table("energies", "From the lowest place to Φ, rolling and on a smooth plane",
-                         {{"h", "energy"}, {"rolling", "rolling", seconds}, {"smooth", "smooth", seconds}});
-  const Ball<double> ball{a, c, k};
+  auto& energies =
+      table("energies", "From the lowest place to Φ, rolling and on a smooth plane",
+            {{"h", "energy", none, 1}, {"rolling", "rolling", seconds}, {"smooth", "smooth", seconds}});
+  const Ball<double> ball = rounded_ball(a, c, k);
   const Place<double> at = rounded(where.fifty());
   for(const double h : {0.5, 1.0, 2.0, 8.0})
     energies.row({h, time_to_place(ball, energy(h), at), smooth_to_place(energy(h), at)});
@@ -144,7 +145,7 @@ TELL
 TELL
 {
   curve("motion", {"t", "rolling", "smooth"}, [](Curve& motion) {
-    const Ball<double> ball{a, c, k};
+    const Ball<double> ball = rounded_ball(a, c, k);
     const Energy<double> e = rounded(asked.rolling(a, c, k, g));
     const double end =
         e.from_top == 0 ? 8 * std::hypot(a + c, k) : (e.turns_over() ? 2 : 4) * rolling::quarter(ball, e);
@@ -178,7 +179,7 @@ const std::vector<int> counts{4, 8, 16, 32};
 
 TELL
 {
-  const Ball<double> ball{a, c, k};
+  const Ball<double> ball = rounded_ball(a, c, k);
   const Energy<Fifty> exact_e = asked.rolling(a, c, k, g);
   const Place<Fifty> exact_at = where.fifty();
   if(exact_at.s == 0 || !gets_to(exact_e, exact_at) || (exact_e.from_top == 0 && exact_at.c == 0))
@@ -194,8 +195,7 @@ TELL
                     },
                     "Gauss"});
   ways.push_back({"Carlson's integrals, (A)", [=] { return rolling::time(ball, e, at); }});
-  race("time", "t√(2gc)", rolling::time(Ball<Fifty>{a.fifty(), c.fifty(), k.fifty()}, exact_e, exact_at),
-       ways);
+  race("time", "t√(2gc)", rolling::time(exact_ball(a, c, k), exact_e, exact_at), ways);
 }
 
 /*!
@@ -208,9 +208,10 @@ CHECK_THAT("the times and angles told are those of the integral (2), from rest t
 {
   for(const Told& now : told_at("", "from_top=1e-15 psi=1e-3 t=2", "zeta=9 Phi=170 c=0.3 t=0.2",
                                 "from_top=-1e-30 psi=1e-20 k=3 t=1", "h=1e-40 Phi=1e-21rad g=1e50 t=1e-30",
-                                "a=1 c=1 k=1e-5 Phi=90 h=0.9", "a=1e50 c=1e49 k=1e50 g=1e40 h=30"))
+                                "a=1 c=1 k=1e-5 Phi=90 h=0.9", "c=0.999999999 k=1e-9 Phi=1e-9rad t=1e-10",
+                                "a=1e50 c=1e49 k=1e50 g=1e40 h=30"))
   {
-    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    const Ball<Fifty> ball = exact_ball(a, c, k);
     const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Place<Fifty> at = where.fifty();
     const Fifty one = sqrt(2 * g.fifty() * ball.c);
@@ -243,7 +244,7 @@ CHECK_THAT("the equations of motion bring the ball to the angle asked for in the
 {
   for(const Told& now : told_at("", "h=3 Phi=150", "zeta=15 Phi=90 c=0.5 k=0.5", "h=1 Phi=120"))
   {
-    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    const Ball<Fifty> ball = exact_ball(a, c, k);
     const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Fifty g_ = g.fifty(), one = sqrt(2 * g_ * ball.c);
     const auto motion = [&](const Fifty&, const exact::State& s) {
@@ -274,7 +275,7 @@ CHECK_THAT("the table, the race and the figure are the integral, the rule in fif
 {
   for(const Told& now : told_at("", "c=0.5 k=0.5 g=0.5 Phi=20", "from_top=1e-9 psi=0.01 k=2"))
   {
-    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    const Ball<Fifty> ball = exact_ball(a, c, k);
     const Energy<Fifty> e = asked.rolling(a, c, k, g);
     const Place<Fifty> at = where.fifty();
     const Fifty one = sqrt(2 * g.fifty() * ball.c);
@@ -307,7 +308,7 @@ CHECK_THAT("the table, the race and the figure are the integral, the rule in fif
   }
   for(const Told& now : told_at(""))
   {
-    const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
+    const Ball<Fifty> ball = exact_ball(a, c, k);
     const Fifty g_ = g.fifty(), one = sqrt(2 * g_ * ball.c), w = 2 * one * sqrt(asked.h.fifty());
     for(const auto& point : now.points("motion", 5))
     {

@@ -9,6 +9,21 @@
 namespace globe
 {
 
+/// The ball of the options --a, --c and --k.
+inline Ball<exact::Fifty> exact_ball(const edition::Parameter<double>& a,
+                                     const edition::Parameter<double>& c,
+                                     const edition::Parameter<double>& k)
+{
+  return {a.fifty(), c.fifty(), k.fifty()};
+}
+
+/// The same in doubles: a − c keeps its digits, too.
+inline Ball<double> rounded_ball(const edition::Parameter<double>& a, const edition::Parameter<double>& c,
+                                 const edition::Parameter<double>& k)
+{
+  return rounded(exact_ball(a, c, k));
+}
+
 /// The options --h, --from_top and --zeta: the last that is given and not 0 counts, from_top before h.
 struct Asked_energy
 {
@@ -38,7 +53,7 @@ struct Asked_energy
                                const edition::Parameter<double>& k,
                                const edition::Parameter<double>& g) const
   {
-    return fifty(c.fifty(), bb(Ball<exact::Fifty>{a.fifty(), c.fifty(), k.fifty()}), g.fifty());
+    return fifty(c.fifty(), bb(exact_ball(a, c, k)), g.fifty());
   }
 };
 
@@ -80,7 +95,7 @@ inline Asked_place asked_place(double default_Phi)
 /// Refuses a ball that the functions of rolling.hpp do not take: a or c beyond 10²⁰ √((a − c)² + kk).
 inline void require_rolling(const Ball<double>& ball)
 {
-  const double most = 1e20 * std::hypot(ball.a - ball.c, ball.k);
+  const double most = 1e20 * std::hypot(ball.gap, ball.k);
   edition::require(ball.a <= most && ball.c <= most, "k", "at least 1e-20 c where c is a");
 }
 

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "exact/fifty.hpp"
+
 namespace globe
 {
 
@@ -20,7 +22,26 @@ struct Ball
   Real a;  ///< its radius, a > 0
   Real c;  ///< the distance CG, c ≥ 0
   Real k;  ///< the moment of inertia about the axis through G is weight · kk, k > 0
+
+  /// a − c, how far G lies above the lowest point. Whoever knows it better than by subtraction gives it: where c is
+  /// nearly a, all that rolls hangs on its digits.
+  Real gap = a - c;
 };
+
+/// A ball as the program computes with it, from fifty digits: each member rounded once, a − c too.
+inline Ball<double> rounded(const Ball<exact::Fifty>& ball)
+{
+  return {static_cast<double>(ball.a), static_cast<double>(ball.c), static_cast<double>(ball.k),
+          static_cast<double>(ball.gap)};
+}
+
+/// And back, its members in agreement to fifty digits: where c is within half of a it is a − c that counts, else c.
+inline Ball<exact::Fifty> exactly(const Ball<double>& ball)
+{
+  using exact::Fifty;
+  const Fifty a = ball.a, gap = ball.gap;
+  return 2 * abs(gap) < a ? Ball<Fifty>{a, a - gap, ball.k, gap} : Ball<Fifty>{a, ball.c, ball.k};
+}
 
 /// The ball of the programs, in feet: a homogeneous one of weight 4/5 and radius 1 with a pellet of weight 1/5
 /// halfway down to its surface. Euler gives no numbers.
@@ -40,7 +61,7 @@ inline const Real cradle_g = Real(1) / 2;
 template <class Real>
 Real bb(const Ball<Real>& ball)
 {
-  return (ball.a - ball.c) * (ball.a - ball.c) + ball.k * ball.k;
+  return ball.gap * ball.gap + ball.k * ball.k;
 }
 
 /// BB = (a + c)² + kk, the same about the highest point.
@@ -59,7 +80,7 @@ Ball<Real> in_own_measure(const Ball<Real>& ball)
   Real unit = std::max({ball.a, ball.c, ball.k});
   if constexpr(std::is_same_v<Real, double>)
     unit = std::ldexp(1.0, std::ilogb(unit));
-  return {ball.a / unit, ball.c / unit, ball.k / unit};
+  return {ball.a / unit, ball.c / unit, ball.k / unit, ball.gap / unit};
 }
 
 /// The accelerations of G and of the angle, and what the plane bears.
@@ -84,9 +105,9 @@ Accelerations<Real> accelerations(const Ball<Real>& ball, const Real& g, const R
                                   const Real& lambda)
 {
   using std::cos, std::sin;
-  const auto& [a, c, k] = ball;
-  const Real s = sin(Phi), u = cos(Phi);
-  const Real arm = lambda * (a - c * u) - c * s;  // of Π and its friction together, about G
+  const auto& [a, c, k, gap] = ball;
+  const Real s = sin(Phi), u = cos(Phi), half = sin(Phi / 2);
+  const Real arm = lambda * (gap + 2 * c * half * half) - c * s;  // of Π and its friction together, about G
   const Real pressure = k * k * (1 + c * w * w * u / (2 * g)) / (k * k - c * s * arm);
   return {-2 * g * lambda * pressure, 2 * g * (pressure - 1), 2 * g * pressure * arm / (k * k), pressure};
 }
@@ -100,10 +121,10 @@ Accelerations<Real> rolling_accelerations(const Ball<Real>& ball, const Real& g,
                                           const Real& w)
 {
   using std::cos, std::sin;
-  const auto& [a, c, k] = ball;
-  const Real s = sin(Phi), u = cos(Phi);
-  const Real turning = -(2 * g * c + a * c * w * w) * s / (a * a + c * c + k * k - 2 * a * c * u);
-  const Real x = turning * (a - c * u) + c * w * w * s, y = c * turning * s + c * w * w * u;
+  const auto& [a, c, k, gap] = ball;
+  const Real s = sin(Phi), u = cos(Phi), half = sin(Phi / 2);
+  const Real turning = -(2 * g * c + a * c * w * w) * s / (bb(ball) + 4 * a * c * half * half);
+  const Real x = turning * (gap + 2 * c * half * half) + c * w * w * s, y = c * turning * s + c * w * w * u;
   return {x, y, turning, 1 + y / (2 * g)};
 }
 

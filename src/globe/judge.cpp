@@ -10,13 +10,13 @@ using exact::Fifty;
 // x, dx/dt, Φ, dΦ/dt
 exact::State Judge::of_G(const State<Fifty>& at) const
 {
-  const auto& [a, c, k] = ball_;
+  const auto& [a, c, k, gap] = ball_;
   return {at.s - c * sin(at.Phi), at.slip + (a - c * cos(at.Phi)) * at.w, at.Phi, at.w};
 }
 
 State<Fifty> Judge::of_contact(const exact::State& G, Mode mode) const
 {
-  const auto& [a, c, k] = ball_;
+  const auto& [a, c, k, gap] = ball_;
   const Fifty slip = mode == Mode::rolling ? Fifty(0) : Fifty(G[1] - (a - c * cos(G[2])) * G[3]);
   return {G[0] + c * sin(G[2]), slip, G[2], G[3]};
 }
@@ -63,6 +63,32 @@ State<Fifty> Judge::in_a_moment(const State<Fifty>& from, Mode mode, const Fifty
   return of_contact(G, mode);
 }
 
+// The least to which a margin dips between two states that are so far apart, if one does: by the cubic that has the
+// values and the slopes at both. Else 1.
+Fifty Judge::least_between(const State<Fifty>& from, const State<Fifty>& to, Mode mode,
+                           const Fifty& time) const
+{
+  const Fifty h("1e-20");
+  const auto begin = margins(from, mode), end = margins(to, mode);
+  const auto begins = margins(in_a_moment(from, mode, h), mode),
+             ends = margins(in_a_moment(to, mode, h), mode);
+  Fifty least = 1;
+  for(std::size_t i = 0; i < begin.size(); ++i)
+  {
+    // m + s x + p xx + q xxx, x from 0 to 1
+    const Fifty m = begin[i], s = (begins[i] - m) / h * time, rise = end[i] - m,
+                last = (ends[i] - end[i]) / h * time;
+    const Fifty p = 3 * rise - 2 * s - last, q = s + last - 2 * rise;
+    const Fifty root = p * p - 3 * q * s;
+    if(root <= 0)
+      continue;
+    const Fifty x = -s / (p + sqrt(root));  // where it is least
+    if(x > Fifty("0.01") && x < Fifty("0.99"))
+      least = std::min(least, Fifty(m + x * (s + x * (p + x * q))));
+  }
+  return least;
+}
+
 const Stretch& stretch_at(const std::vector<Stretch>& motion, const Fifty& t)
 {
   return *std::prev(
@@ -77,7 +103,7 @@ State<Fifty> Judge::at(const std::vector<Stretch>& motion, const Fifty& t) const
 
 Fifty Judge::energy(const State<Fifty>& at) const
 {
-  const auto& [a, c, k] = ball_;
+  const auto& [a, c, k, gap] = ball_;
   const Fifty y = a - c * cos(at.Phi), dx = at.slip + y * at.w, dy = c * at.w * sin(at.Phi);
   return (dx * dx + dy * dy + k * k * at.w * at.w) / 2 + 2 * g_ * y;
 }
@@ -93,11 +119,14 @@ std::vector<Stretch> Judge::stretches(const State<Fifty>& start, const std::vect
     Stretch& last = all.back();
     const Mode mode = last.mode;
     Fifty t = change;
+    const Fifty length = t - last.from;
     State<Fifty> now = last.start;
     int before = 0;
-    for(const int part : {1, 17, 33, 49, 50})
+    for(const int part : {1, 9, 17, 25, 33, 41, 49, 50})
     {
-      now = after(now, mode, (part - before) * (t - last.from) / 50);
+      const State<Fifty> from = now;
+      now = after(now, mode, (part - before) * length / 50);
+      last.margin = std::min(last.margin, least_between(from, now, mode, (part - before) * length / 50));
       before = part;
       if(part < 50)
         for(const Fifty& margin : margins(now, mode))

@@ -17,17 +17,17 @@ struct Stretch
   exact::Fifty from;          ///< when it begins
   Mode mode;                  ///< what the ball does
   State<exact::Fifty> start;  ///< the state in which it begins
-  exact::Fifty
-      margin;  ///< the least of Judge::margins() in four places up to the next change; of the last, 1
+  exact::Fifty margin;        ///< the least of Judge::margins() up to the next change; of the last, 1
 };
 
 /// The stretch in which the time t ≥ 0 lies; `motion` as Judge::stretches() gives it.
 const Stretch& stretch_at(const std::vector<Stretch>& motion, const exact::Fifty& t);
 
 /// Newton's equations with friction. It is told when the ball changes what it does, but not to what; it puts the
-/// times right, and looks in between whether the ball may do what it is taken to do. Since the equations
-/// have one solution only, a motion that passes is the true one, but for a change that is made and undone between
-/// two of the four places looked at in every stretch.
+/// times right, and looks in between whether the ball may do what it is taken to do: at seven places of every stretch,
+/// and between two of them by the cubic that has the values and the slopes of what must be positive. Since the
+/// equations have one solution only, a motion that passes is the true one: a change that is made and undone in between
+/// is a dip, and the cubic shows it.
 ///
 /// Source: accelerations() and rolling_accelerations() of G, integrated by exact::solve(); the times of the changes by
 /// two steps of Newton's method. Good to 18 digits where the times told are to 11.
@@ -61,6 +61,8 @@ private:
   State<exact::Fifty> in_a_moment(const State<exact::Fifty>& from, Mode mode,
                                   const exact::Fifty& time) const;
   Mode without_slip(const State<exact::Fifty>& at) const;
+  exact::Fifty least_between(const State<exact::Fifty>& from, const State<exact::Fifty>& to, Mode mode,
+                             const exact::Fifty& time) const;
   exact::State of_G(const State<exact::Fifty>& at) const;
   State<exact::Fifty> of_contact(const exact::State& G, Mode mode) const;
 

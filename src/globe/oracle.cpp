@@ -50,12 +50,15 @@ public:
     for(const double past : {0., 6., 40., 130.})
       bends.push_back(falls + past);
     std::sort(bends.begin(), bends.end());
+    // Of two that all but coincide one is enough.
+    bends.erase(std::unique(bends.begin(), bends.end(),
+                            [](const Fifty& one, const Fifty& next) { return next - one < 1e-3; }),
+                bends.end());
     Fifty sum = 0;
     for(std::size_t i = 1; i < bends.size() && bends[i - 1] < end; ++i)
-      if(bends[i] > bends[i - 1])
-        sum += exact::integrate([this](const Fifty& y) { return rate(y); }, bends[i - 1],
-                                std::min(bends[i], end))
-                   .value;
+      sum += exact::integrate([this](const Fifty& y) { return rate(y); }, bends[i - 1],
+                              std::min(bends[i], end))
+                 .value;
     return sum;
   }
 
@@ -144,8 +147,7 @@ Fifty rolling_quarter(const Ball<Fifty>& ball, const Energy<Fifty>& e)
 
 Place<Fifty> rolling_place(const Ball<Fifty>& ball, const Energy<Fifty>& e, const Fifty& tau)
 {
-  const Ball<double> near{double(ball.a), double(ball.c), double(ball.k)};
-  return put_right(rolling_run(ball, e), e, rolling::angle(near, rounded(e), double(tau)), tau);
+  return put_right(rolling_run(ball, e), e, rolling::angle(rounded(ball), rounded(e), double(tau)), tau);
 }
 
 Fifty gauss(int n, const std::function<Fifty(const Fifty&)>& f, const Fifty& a, const Fifty& b)

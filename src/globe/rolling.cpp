@@ -14,19 +14,21 @@
 
 namespace globe::rolling
 {
-namespace
-{
-
-using exact::Fifty;
 
 template <class Real>
-void require_ball(const Ball<Real>& ball)
+void require(const Ball<Real>& ball)
 {
   const Real limit = 1e40 * bb(ball);
   if(!(ball.a > 0 && ball.c > 0 && ball.k > 0 && ball.a * ball.a <= limit && ball.c * ball.c <= limit
        && limit < 1e300))
     throw std::domain_error("the rolling ball needs a, c, k > 0 and a, c ≤ 10²⁰ b");
 }
+
+namespace
+{
+
+using exact::Fifty;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // The formula, from sin ½Φ over √h and what the squares of it and of sin ½Φ lack of 1.
 template <class Real>
@@ -109,7 +111,7 @@ struct Polynomials
   {
     const Ball<Real> ball = in_own_measure(given);
     const Real a = ball.a, c = ball.c;
-    const P D{bb(ball), 4 * a * c}, y{a - c, 2 * c}, u{1, -2}, w{0, 1}, w_rest{0, 1, -1};
+    const P D{bb(ball), 4 * a * c}, y{ball.gap, 2 * c}, u{1, -2}, w{0, 1}, w_rest{0, 1, -1};
     // Q = DD − 4ccN w(1 − w) + 4ccu(h − w)D and L = yN − 4c(h − w)D, with N = bb + 4ach
     Q0 = plus(plus(product_of(D, D), w_rest, Real(-4 * c * c * bb(ball))), product_of(product_of(u, w), D),
               Real(-4 * c * c));
@@ -162,7 +164,7 @@ template <class Real>
 Real time(const Ball<Real>& ball, const Energy<Real>& e, const Place<Real>& place)
 {
   using std::max, std::min, std::sqrt;
-  require_ball(ball);
+  require(ball);
   require(e);
   const Real ss = place.s * place.s, tt = place.c * place.c;
   const Real left = left_for_motion(e, place);
@@ -182,10 +184,10 @@ template <class Real>
 Real quarter(const Ball<Real>& ball, const Energy<Real>& e)
 {
   using std::sqrt;
-  require_ball(ball);
+  require(ball);
   require(e);
   if(e.from_top == 0)
-    return std::numeric_limits<double>::infinity();
+    return infinite;
   if(e.turns_over())
     return whole(ball, Real(1 / sqrt(e.h)), Real(-e.from_top / e.h), Real(1));
   return whole(ball, Real(1), e.from_top, e.h);
@@ -193,7 +195,7 @@ Real quarter(const Ball<Real>& ball, const Energy<Real>& e)
 
 double excess(const Ball<double>& ball, const Energy<double>& e)
 {
-  require_ball(ball);
+  require(ball);
   require(e);
   if(!(e.from_top > 0))
     throw std::domain_error("the excess is of a ball that rocks");
@@ -211,9 +213,9 @@ template <class Real>
 Real separatrix_time(const Ball<Real>& ball, const Place<Real>& place)
 {
   using std::asinh, std::sqrt;
-  require_ball(ball);
+  require(ball);
   if(place.c == 0)
-    return std::numeric_limits<double>::infinity();
+    return infinite;
   // [elementary]
   const Real b = sqrt(bb(ball)), B = sqrt(BB(ball)), r = 2 * sqrt(ball.a * ball.c);
   // artanh (BV/√D) = arsinh (BV/√(D − BBVV)), and D − BBVV = bb(1 − VV)
@@ -276,7 +278,7 @@ struct Borne
     sine = 2 * place.s * place.c;
     D = bb(ball) + 4 * a * c * ss;
     Q = D * D - c * c * N * sine * sine + 4 * c * c * u * left * D;
-    L = (a - c + 2 * c * ss) * N - 4 * c * left * D;
+    L = (ball.gap + 2 * c * ss) * N - 4 * c * left * D;
   }
 };
 
@@ -300,7 +302,7 @@ template <class Real>
 Greatest<Real> greatest_friction(const Ball<Real>& ball, const Energy<Real>& e)
 {
   using std::abs, std::sqrt;
-  require_ball(ball);
+  require(ball);
   require(e);
   const Polynomials<Real> all(ball);
   const auto Q = all.Q(e.h), L = all.L(e.h);
@@ -308,7 +310,7 @@ Greatest<Real> greatest_friction(const Ball<Real>& ball, const Energy<Real>& e)
   const Real last = e.turns_over() ? Real(1) : e.h;
   const auto off = roots_between(Q, Real(0), last);
   if(!off.empty())
-    return {angle_of(place_of(off.front())), std::numeric_limits<double>::infinity()};
+    return {angle_of(place_of(off.front())), infinite};
   Greatest<Real> greatest{angle_of(rest), e.turns_over() ? Real(0) : friction(ball, e, rest)};
   const std::vector<Real> u{1, -2}, twice_w_rest{0, 2, -2};
   const auto extremal = Polynomials<Real>::plus(product_of(u, product_of(L, Q)),
@@ -326,60 +328,55 @@ Greatest<Real> greatest_friction(const Ball<Real>& ball, const Energy<Real>& e)
 namespace
 {
 
-// What friction forbids at one angle: the energies h from one to another.
+// What friction forbids at one place: the energies h from one to another.
+template <class Real>
 struct Forbidden
 {
-  double from, to;  // none where from > to
+  Real from, to;  // none where from > to
 };
 
-// How rolling with the friction sigma μ is limited, angle by angle: μQ − sigma c sin Φ L is α + βh.
+// How rolling with the friction sigma μ is limited, place by place: μQ − sigma c sin Φ L is α + βh. Places are given by
+// tan ½Φ.
+template <class Real>
 class Limit
 {
 public:
-  Limit(const Ball<double>& ball, double mu, double sigma)
+  Limit(const Ball<Real>& ball, const Real& mu, int sigma)
       : all_(ball), ball_(in_own_measure(ball)), mu_(mu), sigma_(sigma)
   {
   }
 
-  // The h at which just so much friction is needed, and whether with more energy it needs more.
-  std::pair<double, bool> bound(double Phi) const
+  Forbidden<Real> at(const Real& tangent) const
   {
-    const double w = std::pow(std::sin(Phi / 2), 2), s = sigma_ * ball_.c * std::sin(Phi);
-    const double alpha = mu_ * value_of(all_.Q0, w) - s * value_of(all_.L0, w);
-    const double beta = mu_ * value_of(all_.Q1, w) - s * value_of(all_.L1, w);
-    return {-alpha / beta, beta < 0};
-  }
-
-  // What is left of the friction at rest at this angle; there λ = c sin Φ y/(kk + yy).
-  double left_at_rest(double Phi) const
-  {
-    const double y = ball_.a - ball_.c + 2 * ball_.c * std::pow(std::sin(Phi / 2), 2);
-    return mu_ * (ball_.k * ball_.k + y * y) - sigma_ * ball_.c * std::sin(Phi) * y;
-  }
-
-  Forbidden at(double Phi) const
-  {
-    const double rest = std::pow(std::sin(Phi / 2), 2);
-    const auto [h, above] = bound(Phi);
-    constexpr double all = std::numeric_limits<double>::infinity();
-    if(above)
-      return {std::max(h, rest), all};
-    return left_at_rest(Phi) < 0 ? Forbidden{rest, h} : Forbidden{all, -all};
+    const Real whole = 1 + tangent * tangent, rest = tangent * tangent / whole;
+    const Real c_sine = sigma_ * 2 * ball_.c * tangent / whole, y = ball_.gap + 2 * ball_.c * rest;
+    // The h at which just so much friction is needed; with more energy it needs more where β is below 0.
+    const Real alpha = mu_ * value_of(all_.Q0, rest) - c_sine * value_of(all_.L0, rest);
+    const Real beta = mu_ * value_of(all_.Q1, rest) - c_sine * value_of(all_.L1, rest);
+    const Real h = -alpha / beta;
+    if(beta < 0)
+      return {std::max(h, rest), Real(infinite)};
+    // At rest λ is c sin Φ y/(kk + yy).
+    if(mu_ * (ball_.k * ball_.k + y * y) < c_sine * y)
+      return {rest, h};
+    return {Real(infinite), Real(-infinite)};
   }
 
 private:
-  Polynomials<double> all_;
-  Ball<double> ball_;
-  double mu_, sigma_;
+  Polynomials<Real> all_;
+  Ball<Real> ball_;
+  Real mu_;
+  int sigma_;
 };
 
-// The least of f between two angles that enclose it, also where f has a kink or is infinite beyond.
+// The least of f between two places that enclose it, also where f has a kink or is infinite beyond: the place to twenty
+// digits, and the value, where f is smooth, to twice as many.
 template <class Function>
-double least(const Function& f, double a, double b)
+Fifty least(const Function& f, Fifty a, Fifty b)
 {
-  constexpr double part = 0.3819660112501051;
-  double x = a + part * (b - a), y = b - part * (b - a), fx = f(x), fy = f(y);
-  while(b - a > 1e-16 * b && a < x && x < y && y < b)
+  const Fifty part = (3 - sqrt(Fifty(5))) / 2;
+  Fifty x = a + part * (b - a), y = b - part * (b - a), fx = f(x), fy = f(y);
+  while(b - a > 1e-20 * b)
   {
     if(fx <= fy)
     {
@@ -395,14 +392,27 @@ double least(const Function& f, double a, double b)
   return std::min(fx, fy);
 }
 
-// What is forbidden at the angles of a run of neighbours hangs together.
-void add_forbidden(const Limit& limit, std::vector<Forbidden>& forbidden)
+// What is forbidden at a run of neighbouring places hangs together. They are looked for in double, close to each other
+// where the ball's own moment changes and evenly in log tan ½Φ beyond; the ends are put right in fifty digits.
+void add_forbidden(const Ball<Fifty>& ball, const Fifty& mu, int sigma,
+                   std::vector<Forbidden<Fifty>>& forbidden)
 {
   constexpr int steps = 4000;
-  const auto Phi_of = [](int n) { return std::numbers::pi * n / steps; };
-  const auto from = [&](double Phi) { return limit.at(Phi).from; };
-  const auto minus_to = [&](double Phi) { return -limit.at(Phi).to; };
-  const auto none_at = [&](int n) { return n < 0 || n > steps || from(Phi_of(n)) > -minus_to(Phi_of(n)); };
+  const Limit<Fifty> limit(ball, mu, sigma);
+  const Limit<double> near(rounded(in_own_measure(ball)), static_cast<double>(mu), sigma);
+  const double bend = std::min(1., std::sqrt(static_cast<double>(bb(ball) / BB(ball))));
+  const double unit = std::asinh(1e9 / bend) / steps;
+  const auto place_of_step = [&](int n) {
+    return n <= 0 ? 0 : bend * std::sinh(unit * std::min(n, steps));
+  };
+  std::vector<Forbidden<double>> looked;
+  for(int n = 0; n <= steps; ++n)
+    looked.push_back(near.at(place_of_step(n)));
+  const auto around = [&](const auto& f, int n) {
+    return least(f, Fifty(place_of_step(n - 1)), Fifty(place_of_step(n + 1)));
+  };
+  const auto index = [](int n) { return static_cast<std::size_t>(n); };
+  const auto none_at = [&](int n) { return n > steps || looked[index(n)].from > looked[index(n)].to; };
   for(int n = 0; n <= steps; ++n)
   {
     if(none_at(n))
@@ -410,50 +420,59 @@ void add_forbidden(const Limit& limit, std::vector<Forbidden>& forbidden)
     int lowest = n, highest = n;
     for(; !none_at(n); ++n)
     {
-      lowest = from(Phi_of(n)) < from(Phi_of(lowest)) ? n : lowest;
-      highest = minus_to(Phi_of(n)) < minus_to(Phi_of(highest)) ? n : highest;
+      lowest = looked[index(n)].from < looked[index(lowest)].from ? n : lowest;
+      highest = looked[index(n)].to > looked[index(highest)].to ? n : highest;
     }
-    const auto around = [&](const auto& f, int m) {
-      return least(f, Phi_of(std::max(m - 1, 0)), Phi_of(std::min(m + 1, steps)));
-    };
-    const double to = -minus_to(Phi_of(highest));
-    forbidden.push_back({around(from, lowest), std::isfinite(to) ? -around(minus_to, highest) : to});
+    const bool ends = std::isfinite(looked[index(highest)].to);
+    forbidden.push_back(
+        {around([&](const Fifty& at) { return limit.at(at).from; }, lowest),
+         ends ? Fifty(-around([&](const Fifty& at) { return Fifty(-limit.at(at).to); }, highest))
+              : Fifty(infinite)});
   }
 }
 
 }  // namespace
 
-std::vector<Window> windows(const Ball<double>& ball, double mu)
+template <>
+std::vector<Window<Fifty>> windows(const Ball<Fifty>& ball, const Fifty& mu)
 {
-  require_ball(ball);
-  if(!(mu > 0) || !std::isfinite(mu))
+  require(ball);
+  if(!(mu > 0) || !isfinite(mu))
     throw std::domain_error("μ must be positive and finite");
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  std::vector<Forbidden> forbidden;
-  for(const double sigma : {1.0, -1.0})
-    add_forbidden(Limit(ball, mu, sigma), forbidden);
-  forbidden.push_back({loss_of_pressure(ball).h, infinite});
+  std::vector<Forbidden<Fifty>> forbidden;
+  for(const int sigma : {1, -1})
+    add_forbidden(ball, mu, sigma, forbidden);
+  forbidden.push_back({loss_of_pressure(ball).h, Fifty(infinite)});
   std::sort(forbidden.begin(), forbidden.end(),
-            [](const Forbidden& f, const Forbidden& g) { return f.from < g.from; });
-  std::vector<Window> windows;
-  double h = 0;
-  for(const Forbidden& f : forbidden)
+            [](const auto& f, const auto& g) { return f.from < g.from; });
+  std::vector<Window<Fifty>> rolls;
+  Fifty h = 0;
+  for(const auto& f : forbidden)
   {
     if(f.from > h)
-      windows.push_back({h, f.from});
+      rolls.push_back({h, f.from});
     h = std::max(h, f.to);
   }
-  return windows;
+  return rolls;
+}
+
+template <>
+std::vector<Window<double>> windows(const Ball<double>& ball, const double& mu)
+{
+  std::vector<Window<double>> all;
+  for(const Window<Fifty>& window : windows(exactly(ball), Fifty(mu)))
+    all.push_back({static_cast<double>(window.from), static_cast<double>(window.to)});
+  return all;
 }
 
 template <class Real>
 Loss<Real> loss_of_pressure(const Ball<Real>& given)
 {
-  require_ball(given);
+  require(given);
   // −Q₀/Q₁ loses digits where G is close to the plane, or far below it: the double's answer is that of fifty digits.
   if constexpr(std::is_same_v<Real, double>)
   {
-    const auto exact = loss_of_pressure(Ball<Fifty>{given.a, given.c, given.k});
+    const auto exact = loss_of_pressure(exactly(given));
     return {static_cast<double>(exact.h), static_cast<double>(exact.Phi),
             static_cast<double>(exact.from_top)};
   }
@@ -478,9 +497,9 @@ template <class Real>
 Painleve<Real> painleve(const Ball<Real>& given)
 {
   using std::abs, std::sqrt;
-  require_ball(given);
+  require(given);
   const Ball<Real> ball = in_own_measure(given);
-  const auto& [a, c, k] = ball;
+  const auto& [a, c, k, gap] = ball;
   // The greatest of sin Φ y/(kk + cc sin²Φ), y = a − c cos Φ: where ½ sin Φ times the derivative by w of both,
   // and u = cos Φ, that of sin Φ, balance. With w = sin² ½Φ in the lower half and cos² ½Φ in the upper.
   const std::vector<Real> moment{k * k, 4 * c * c, -4 * c * c}, twice_w_rest{0, 2, -2};
@@ -489,7 +508,8 @@ Painleve<Real> painleve(const Ball<Real>& given)
   Painleve<Real> limit{(k * k + c * c) / (c * a), angle_of(Place<Real>{half, half})};
   for(const int side : {1, -1})
   {
-    const std::vector<Real> y{a - side * c, Real(side * 2 * c)}, u{Real(side), Real(-2 * side)};
+    const std::vector<Real> y{side > 0 ? gap : Real(a + c), Real(side * 2 * c)},
+        u{Real(side), Real(-2 * side)};
     const auto extremal = Polynomials<Real>::plus(product_of(u, product_of(y, moment)),
                                                   product_of(twice_w_rest, cross(moment, y)), Real(side));
     for(const Real& w : roots_between(extremal, Real(0), Real(0.5)))
@@ -504,6 +524,7 @@ Painleve<Real> painleve(const Ball<Real>& given)
 }
 
 #define GLOBE_ROLLING(Real)                                                                                \
+  template void require(const Ball<Real>&);                                                                \
   template Real time(const Ball<Real>&, const Energy<Real>&, const Place<Real>&);                          \
   template Real quarter(const Ball<Real>&, const Energy<Real>&);                                           \
   template Real separatrix_time(const Ball<Real>&, const Place<Real>&);                                    \

@@ -11,9 +11,9 @@ namespace globe
 /// have no smallest, as far as anyone needs.
 inline constexpr int most_halvings = 1200;
 
-/// The value of Σ p[n] xⁿ.
-template <class Real>
-Real value_of(const std::vector<Real>& p, const Real& x)
+/// The value of Σ p[n] xⁿ, of any row of numbers p.
+template <class Coefficients, class Real>
+Real value_of(const Coefficients& p, const Real& x)
 {
   Real sum = 0;
   for(std::size_t n = p.size(); n-- > 0;)

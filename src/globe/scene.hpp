@@ -27,7 +27,7 @@ struct Moving_ball
 /// The ball in units of its radius.
 inline Ball<double> in_radii(const Ball<double>& ball)
 {
-  return {1, ball.c / ball.a, ball.k / ball.a};
+  return {1, ball.c / ball.a, ball.k / ball.a, ball.gap / ball.a};
 }
 
 /// The seconds of a unit of τ = t√(2gc), τ in units of a. Domain: a, c, g > 0.

@@ -25,7 +25,21 @@ struct Judged_ball
   exact::Fifty G_y;       ///< and its height
   exact::Fifty pressure;  ///< what the plane bears of the weight
   double slack;           ///< how far each of the four may be off
-  /// And why.
+  /// One of these four: what was told, and what is right.
+  struct Number
+  {
+    edition::ToldNumber told;  ///< as it was told
+    exact::Fifty right;        ///< as it should be
+  };
+  /// The four, to be compared within `slack`.
+  std::vector<Number> numbers() const
+  {
+    return {{told.value("Phi"), Phi},
+            {told.value("C_x"), C_x},
+            {told.value("G_x"), G_x},
+            {told.value("G_y"), G_y}};
+  }
+  /// And why so much.
   static constexpr const char* because =
       "ten ulps of the time, that times the velocity, and the way's rounding";
 };

@@ -23,8 +23,8 @@ constexpr bool is_double = std::is_same_v<Real, double>;
 template <class Real>
 void require_ball(const Real& c, const Real& k)
 {
-  if(!(c >= 0 && k > 0 && c <= 1e6 * k))
-    throw std::domain_error("the ball needs k > 0 and 0 ≤ c ≤ 10⁶ k");
+  if(!(c >= 0 && k > 0 && c <= 1e9 * k))
+    throw std::domain_error("the ball needs k > 0 and 0 ≤ c ≤ 10⁹ k");
 }
 
 // What the time exceeds kυ by, as far as the pendulum's sn and cn go; its modulus is √h, or 1/√h.

@@ -1,7 +1,7 @@
 /// @file
 /// The ball on a smooth plane, Part I of the paper: times, angles and pressure at any energy.
 ///
-/// Times are Euler's τ = t√(2gc), a length; c ≥ 0 and k > 0 are the ball's, and c at most 10⁶ k. See energy.hpp
+/// Times are Euler's τ = t√(2gc), a length; c ≥ 0 and k > 0 are the ball's, and c at most 10⁹ k. See energy.hpp
 /// for h and for how a place is given.
 ///
 /// The integral of §13 is hyperelliptic. Here its first part, k times the pendulum's own time υ with the same
@@ -23,7 +23,7 @@ namespace globe::smooth
 {
 
 /// The time from the lowest place to rest (h < 1), or over half a turn (h > 1); +∞ at h = 1.
-/// Domain: c ≥ 0, k > 0, c ≤ 10⁶ k; else std::domain_error. Error in double: 8 ulps.
+/// Domain: c ≥ 0, k > 0, c ≤ 10⁹ k; else std::domain_error. Error in double: 8 ulps.
 /// Source: for c ≤ 3k the trapezoidal rule in υ, doubled until it stands still, its nodes by the formulae of
 /// half the argument; for larger c the integral above.
 template <class Real>
