@@ -38,6 +38,21 @@ struct Pendulum
   }
 };
 
+/// The same, which is given its sine.
+struct Turning
+{
+  static constexpr unsigned freedoms = 1, angles = 1;
+  double q2;
+
+  template <class Of, class Real>
+  ELEMENTARY_INLINE static void accelerations(const Of& of, const Real&, const Real*,
+                                              const elementary::SineCosine<Real>* turned, const Real*,
+                                              Real* a)
+  {
+    a[0] = Real(-of.q2) * turned[0].sine;
+  }
+};
+
 /// x″ = −1/x²: a fall into the centre, which is reached in a finite time.
 struct Fall
 {
@@ -274,6 +289,42 @@ TEST_CASE("what the time alone drives is found once a step, with the same bits, 
     CHECK(farthest(Motion<Driven_once>({}, starts[i]).to(5), expected) == 0);
     CHECK(farthest(states[i], expected) == 0);
   }
+}
+
+TEST_CASE("sine and cosine are turned on by a small angle to rounding")
+{
+  for(const double x : {0.0, 0.3, -1.2, 1.57, 3.0, -40.0})
+    for(const double by : {0.0, 1e-300, -1e-12, 1e-5, -1e-3, 0x1p-8, -0x1p-8})
+    {
+      double s[8], c[8];
+      const auto turned = collocation::turned_on(collocation::sincos(collocation::Eight(x)), by);
+      turned.sine.store(s);
+      turned.cosine.store(c);
+      const Fifty sum = Fifty(x) + by;
+      CHECK(s[0] == within(sin(sum), 2.5 * 0x1p-53, "1.3 units of the given ones, and one rounding"));
+      CHECK(c[7] == within(cos(sum), 2.5 * 0x1p-53, "the same"));
+    }
+}
+
+TEST_CASE("who is given the sines moves as who finds them, alone and among others")
+{
+  std::array<Moment<1>, 8> starts;
+  for(unsigned i = 0; i < 8; ++i)
+    starts[i] = {{0.3 * i}, {0.5 - 0.2 * i}};
+  const auto states = Ensemble<Turning>({1}, starts).to(100);
+  for(unsigned i = 0; i < 8; ++i)
+  {
+    const Moment<1> alone = Motion<Turning>({1}, starts[i]).to(100);
+    CHECK(farthest(states[i], alone) == 0);
+    CHECK(farthest(alone, Motion<Pendulum>({1}, starts[i]).to(100)) <= 1e-12);
+  }
+}
+
+TEST_CASE("a first step may be as small as it likes")
+{
+  const Moment<3> expected = Motion<Fixed>(example, start).to(3);
+  for(const double step : {5e-324, 1e-300, 1e-20})
+    CHECK(farthest(Motion<Fixed>(example, start, {1e-14, step}).to(3), expected) <= 1e-14);
 }
 
 TEST_CASE("with the tolerance at which the equations are not solved to rounding a hundred periods keep "

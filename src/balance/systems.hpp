@@ -11,6 +11,7 @@ namespace balance::systems
 struct Fixed
 {
   static constexpr unsigned freedoms = 3;  ///< ω, η, ϑ
+  static constexpr unsigned angles = 3;    ///< all
   double lambda2;                          ///< λ²
   double mu2;                              ///< μ²
   double beta;                             ///< a/b
@@ -18,12 +19,13 @@ struct Fixed
 
   /// See balance::accelerations(); the sines of the differences by the addition theorem.
   template <class Of, class Real>
-  ELEMENTARY_INLINE static void accelerations(const Of& of, const Real&, const Real* x, const Real* v,
+  ELEMENTARY_INLINE static void accelerations(const Of& of, const Real&, const Real*,
+                                              const elementary::SineCosine<Real>* turned, const Real* v,
                                               Real* a)
   {
-    const auto [so, co] = sincos(x[0]);
-    const auto [se, ce] = sincos(x[1]);
-    const auto [st, ct] = sincos(x[2]);
+    const auto [so, co] = turned[0];
+    const auto [se, ce] = turned[1];
+    const auto [st, ct] = turned[2];
     const Real s1 = so * ce - co * se, c1 = co * ce + so * se;
     const Real s2 = so * ct - co * st, c2 = co * ct + so * st;
     const Real beta(of.beta), mu2(of.mu2);
@@ -45,6 +47,7 @@ struct Fixed
 struct Hung
 {
   static constexpr unsigned freedoms = 4;  ///< φ, ω, η, ϑ
+  static constexpr unsigned angles = 4;    ///< all
   double gravity;                          ///< 2g
   double arm;                              ///< a
   double string;                           ///< b
@@ -58,13 +61,14 @@ struct Hung
   /// The equations of Euler and Lagrange, divided by M, with η̈ and ϑ̈ eliminated: two equations remain for hφ̈ and ω̈,
   /// whose coefficients are sums of squares.
   template <class Of, class Real>
-  ELEMENTARY_INLINE static void accelerations(const Of& of, const Real&, const Real* x, const Real* v,
+  ELEMENTARY_INLINE static void accelerations(const Of& of, const Real&, const Real*,
+                                              const elementary::SineCosine<Real>* turned, const Real* v,
                                               Real* acc)
   {
-    const auto [sf, cf] = sincos(x[0]);
-    const auto [so, co] = sincos(x[1]);
-    const auto [se, ce] = sincos(x[2]);
-    const auto [st, ct] = sincos(x[3]);
+    const auto [sf, cf] = turned[0];
+    const auto [so, co] = turned[1];
+    const auto [se, ce] = turned[2];
+    const auto [st, ct] = turned[3];
     const Real G(of.gravity), a(of.arm), b(of.string), e(of.lower), h(of.shears), ell(of.pan);
     const Real weight = Real(of.beam) + Real(2.0) * ell * e;  // (Mc + 2Le)/M
     // of the differences φ−ω, φ−η, φ−ϑ, ω−η, ω−ϑ

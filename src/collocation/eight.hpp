@@ -2,8 +2,8 @@
 /// Eight numbers worked on at once: in one register, in two or in four, as the processor has them. The bits are the
 /// same.
 ///
-/// Everything lies in a namespace named after the registers' width and is inlined always, so that no code made for one
-/// processor can be picked by the linker for another.
+/// Everything lies in a namespace named after the registers' width and the variant, and is inlined always, so that no code
+/// made for one processor, or with a caller's flags, can be picked by the linker for another.
 #pragma once
 
 #include "elementary/circular.hpp"
@@ -15,10 +15,15 @@
 #else
 #define COLLOCATION_WIDTH 2
 #endif
-#define COLLOCATION_JOIN(a, b) a##b
-#define COLLOCATION_NAME(width) COLLOCATION_JOIN(width_, width)
+/// Set by collocation_variants() of the build: what is compiled there is not to be confused with what another file makes
+/// of the same templates with other flags.
+#ifndef COLLOCATION_VARIANT
+#define COLLOCATION_VARIANT
+#endif
+#define COLLOCATION_JOIN(a, b, c) a##b##c
+#define COLLOCATION_NAME(width, variant) COLLOCATION_JOIN(width_, width, variant)
 /// The namespace of what is compiled for registers of this width.
-#define COLLOCATION_REGISTERS COLLOCATION_NAME(COLLOCATION_WIDTH)
+#define COLLOCATION_REGISTERS COLLOCATION_NAME(COLLOCATION_WIDTH, COLLOCATION_VARIANT)
 
 /// Motions of few degrees of freedom, integrated to rounding.
 namespace collocation

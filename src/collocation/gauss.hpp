@@ -5,7 +5,8 @@
 /// degree that satisfies the equations at eight moments, the zeros of Legendre's polynomial; what is found so is right to
 /// the sixteenth order, keeps every quadratic invariant, and can be gone back. The eight moments are worked on at once,
 /// or, in an ensemble, eight motions. The equations of a step are solved by repetition, from the polynomial of the step
-/// before; what is added up is added with what the sums are rounded by.
+/// before; what is added up is added with what the sums are rounded by. Sines and cosines of angles are found once or twice
+/// a step, and turned on from there while the repetitions come nearer to each other.
 ///
 /// The step is as long as the polynomial's last two coefficients allow, and kept as long as it may: a motion that returns
 /// is followed by equal steps, and so without drift. A motion that cannot be followed is refused, not guessed at.
@@ -46,10 +47,11 @@ inline namespace COLLOCATION_REGISTERS
 /// One motion: its eight stages are worked on at once.
 struct Alone
 {
-  static constexpr unsigned lanes = 1;  ///< motions
-  using Number = double;                ///< one for each motion
-  using Stages = Eight;                 ///< one for each motion and stage
-  using Answer = bool;                  ///< to a question about each motion
+  static constexpr unsigned lanes = 1;   ///< motions
+  static constexpr unsigned pieces = 1;  ///< registers' worths of eight in Stages
+  using Number = double;                 ///< one for each motion
+  using Stages = Eight;                  ///< one for each motion and stage
+  using Answer = bool;                   ///< to a question about each motion
 
   /// From and to memory, and from a table of eight.
   /// @{
@@ -64,9 +66,10 @@ struct Alone
 /// Eight motions: the stages one after the other.
 struct Together
 {
-  static constexpr unsigned lanes = 8;  ///< motions
-  using Number = Eight;                 ///< one for each motion
-  using Answer = Mask;                  ///< to a question about each motion
+  static constexpr unsigned lanes = 8;   ///< motions
+  static constexpr unsigned pieces = 8;  ///< registers' worths of eight in Stages
+  using Number = Eight;                  ///< one for each motion
+  using Answer = Mask;                   ///< to a question about each motion
   /// One for each motion and stage.
   struct Stages
   {
@@ -145,33 +148,45 @@ ELEMENTARY_INLINE Eight sum(const Together::Stages& x)
 }
 /// @}
 
-/// The accelerations at all stages.
+/// Piece j of Stages.
 /// @{
-template <class System, unsigned n>
-ELEMENTARY_INLINE void forces(const System& of, const Eight& t, const Eight (&x)[n], const Eight (&v)[n],
-                              Eight (&a)[n])
+ELEMENTARY_INLINE Eight& piece(Eight& x, unsigned)
 {
-  System::accelerations(of, t, x, v, a);
+  return x;
 }
-template <class System, unsigned n>
-ELEMENTARY_INLINE void forces(const System& of, const Together::Stages& t, const Together::Stages (&x)[n],
-                              const Together::Stages (&v)[n], Together::Stages (&a)[n])
+ELEMENTARY_INLINE const Eight& piece(const Eight& x, unsigned)
 {
-#pragma GCC unroll 1
-  for(unsigned j = 0; j < 8; ++j)
-  {
-    Eight at[n], rate[n], acceleration[n];
-    for(unsigned k = 0; k < n; ++k)
-    {
-      at[k] = x[k].at[j];
-      rate[k] = v[k].at[j];
-    }
-    System::accelerations(of, t.at[j], at, rate, acceleration);
-    for(unsigned k = 0; k < n; ++k)
-      a[k].at[j] = acceleration[k];
-  }
+  return x;
+}
+ELEMENTARY_INLINE Eight& piece(Together::Stages& x, unsigned j)
+{
+  return x.at[j];
+}
+ELEMENTARY_INLINE const Eight& piece(const Together::Stages& x, unsigned j)
+{
+  return x.at[j];
 }
 /// @}
+
+/// How many of a System's numbers, the first ones, are angles whose sines and cosines its accelerations are given.
+template <class System>
+constexpr unsigned angles_of = [] {
+  if constexpr(requires { System::angles; })
+    return System::angles;
+  else
+    return 0U;
+}();
+
+/// Sine and cosine of x + by, where those of x are given and |by| ≤ 2⁻⁸: by series, which break off below 2⁻⁵⁷.
+ELEMENTARY_INLINE elementary::SineCosine<Eight> turned_on(const elementary::SineCosine<Eight>& of_x,
+                                                          const Eight& by)
+{
+  const Eight z = by * by;
+  const Eight sine = by + (by * z) * (Eight(-1. / 6) + z * Eight(1. / 120));
+  const Eight less = z * (Eight(-0.5) + z * Eight(1. / 24));  // cos − 1
+  return {of_x.sine + (of_x.cosine * sine + of_x.sine * less),
+          of_x.cosine + (of_x.cosine * less - of_x.sine * sine)};
+}
 
 /// What the accelerations of a System want of the time at all stages: the time itself, or what the System's driven()
 /// makes of it, which is found once a step.
@@ -191,33 +206,50 @@ ELEMENTARY_INLINE Together::Stages driven(const System& of, const Together::Stag
 }
 /// @}
 
-/// Σ columns[j]·Fⱼ at each stage.
-/// @{
-ELEMENTARY_INLINE Eight combined(const double (&columns)[8][8], const Eight& F)
+/// The integral of the polynomial through F from the step's beginning to each stage, and that of this integral.
+template <class Stages>
+struct Integrals
 {
+  Stages once;   ///< Σ of coefficients::once times F
+  Stages twice;  ///< Σ of coefficients::twice times F
+};
+
+/// @{
+ELEMENTARY_INLINE Integrals<Eight> integrals(const Eight& F)
+{
+  using coefficients::once, coefficients::twice;
   alignas(64) double f[8];
   F.store(f);
-  Eight even = Eight(columns[0]) * Eight(f[0]), odd = Eight(columns[1]) * Eight(f[1]);
+  Eight even1 = Eight(once[0]) * Eight(f[0]), odd1 = Eight(once[1]) * Eight(f[1]);
+  Eight even2 = Eight(twice[0]) * Eight(f[0]), odd2 = Eight(twice[1]) * Eight(f[1]);
   for(unsigned j = 2; j < 8; j += 2)
   {
-    even = even + Eight(columns[j]) * Eight(f[j]);
-    odd = odd + Eight(columns[j + 1]) * Eight(f[j + 1]);
+    const Eight even(f[j]), odd(f[j + 1]);
+    even1 = even1 + Eight(once[j]) * even;
+    odd1 = odd1 + Eight(once[j + 1]) * odd;
+    even2 = even2 + Eight(twice[j]) * even;
+    odd2 = odd2 + Eight(twice[j + 1]) * odd;
   }
-  return even + odd;
+  return {even1 + odd1, even2 + odd2};
 }
-ELEMENTARY_INLINE Together::Stages combined(const double (&columns)[8][8], const Together::Stages& F)
+ELEMENTARY_INLINE Integrals<Together::Stages> integrals(const Together::Stages& F)
 {
-  Together::Stages result;
+  using coefficients::once, coefficients::twice;
+  Integrals<Together::Stages> result;
 #pragma GCC unroll 1
   for(unsigned i = 0; i < 8; ++i)
   {
-    Eight even = Eight(columns[0][i]) * F.at[0], odd = Eight(columns[1][i]) * F.at[1];
+    Eight even1 = Eight(once[0][i]) * F.at[0], odd1 = Eight(once[1][i]) * F.at[1];
+    Eight even2 = Eight(twice[0][i]) * F.at[0], odd2 = Eight(twice[1][i]) * F.at[1];
     for(unsigned j = 2; j < 8; j += 2)
     {
-      even = even + Eight(columns[j][i]) * F.at[j];
-      odd = odd + Eight(columns[j + 1][i]) * F.at[j + 1];
+      even1 = even1 + Eight(once[j][i]) * F.at[j];
+      odd1 = odd1 + Eight(once[j + 1][i]) * F.at[j + 1];
+      even2 = even2 + Eight(twice[j][i]) * F.at[j];
+      odd2 = odd2 + Eight(twice[j + 1][i]) * F.at[j + 1];
     }
-    result.at[i] = even + odd;
+    result.once.at[i] = even1 + odd1;
+    result.twice.at[i] = even2 + odd2;
   }
   return result;
 }
@@ -331,6 +363,14 @@ public:
   }
 
 private:
+  static constexpr unsigned angles = angles_of<System>;
+
+  // The angles at the stages in an earlier sweep, and their sines and cosines.
+  struct Turned
+  {
+    Stages from[angles + 1], sine[angles + 1], cosine[angles + 1];  // one more, for there may be none
+  };
+
   const System& of_;
   Number x_[n], x_lost_[n], v_[n], v_lost_[n];
   Number t_, t_lost_, step_, last_step_, trouble_, refused_;
@@ -370,7 +410,8 @@ private:
         x[k] = Stages(x_[k]);
         v[k] = Stages(v_[k]);
       }
-      forces(of_, driven(of_, Stages(t_)), x, v, first);
+      Turned turned;
+      forces(driven(of_, Stages(t_)), x, v, begun, true, turned, first);
       for(unsigned k = 0; k < n; ++k)
         G[k] = select(begun, G[k], first[k]);
     }
@@ -378,17 +419,70 @@ private:
 
   // One sweep: from the accelerations the velocities and places at the stages, and from these the accelerations.
   ELEMENTARY_INLINE void sweep(const Number& h, const Stages& drive, const Stages& of_step,
-                               const Stages (&F)[n], Stages (&G)[n]) const
+                               const Stages (&F)[n], const Answer& busy, bool anew, Turned& turned,
+                               Stages (&G)[n]) const
   {
     Stages x[n], v[n];
     const Stages h_of_all(h);
     for(unsigned k = 0; k < n; ++k)
     {
-      v[k] = Stages(v_[k]) + h_of_all * combined(coefficients::once, F[k]);
+      const Integrals<Stages> of_F = integrals(F[k]);
+      v[k] = Stages(v_[k]) + h_of_all * of_F.once;
       const Stages drift = of_step * Stages(v_[k]);
-      x[k] = Stages(x_[k]) + (drift + (h_of_all * h_of_all) * combined(coefficients::twice, F[k]));
+      x[k] = Stages(x_[k]) + (drift + (h_of_all * h_of_all) * of_F.twice);
     }
-    forces(of_, drive, x, v, G);
+    forces(drive, x, v, busy, anew, turned, G);
+  }
+
+  // The accelerations at all stages. Sines and cosines are found `anew`, or turned on from those of an earlier sweep of
+  // this step, unless all stages of a motion together have come farther than 2⁻⁸ from there.
+  ELEMENTARY_INLINE void forces(const Stages& drive, const Stages (&x)[n], const Stages (&v)[n],
+                                const Answer& busy, bool anew, Turned& turned, Stages (&a)[n]) const
+  {
+    Answer stale = busy;
+    bool renewed = anew;
+    if constexpr(angles > 0)
+      if(!anew)
+      {
+        Stages off = magnitude(x[0] - turned.from[0]);
+        for(unsigned k = 1; k < angles; ++k)
+          off = off + magnitude(x[k] - turned.from[k]);
+        stale = !(sum(off) <= Number(0x1p-8));
+        renewed = any(stale & busy);
+      }
+#pragma GCC unroll 1
+    for(unsigned j = 0; j < Layout::pieces; ++j)
+    {
+      Eight at[n], rate[n], acceleration[n];
+      for(unsigned k = 0; k < n; ++k)
+      {
+        at[k] = piece(x[k], j);
+        rate[k] = piece(v[k], j);
+      }
+      if constexpr(angles > 0)
+      {
+        elementary::SineCosine<Eight> now[angles];
+        for(unsigned k = 0; k < angles; ++k)
+        {
+          Eight &from = piece(turned.from[k], j), &sine = piece(turned.sine[k], j),
+                &cosine = piece(turned.cosine[k], j);
+          if(renewed)
+          {
+            now[k] = sincos(at[k]);
+            from = anew ? at[k] : select(stale, at[k], from);
+            sine = anew ? now[k].sine : select(stale, now[k].sine, sine);
+            cosine = anew ? now[k].cosine : select(stale, now[k].cosine, cosine);
+          }
+          if(!anew)
+            now[k] = turned_on({sine, cosine}, at[k] - from);
+        }
+        System::accelerations(of_, piece(drive, j), at, now, rate, acceleration);
+      }
+      else
+        System::accelerations(of_, piece(drive, j), at, rate, acceleration);
+      for(unsigned k = 0; k < n; ++k)
+        piece(a[k], j) = acceleration[k];
+    }
   }
 
   ELEMENTARY_INLINE static Number size_of(const Stages (&F)[n])
@@ -419,11 +513,12 @@ private:
     const Stages drive = driven(of_, Stages(t_) + (of_step + Stages(t_lost_)));
     Answer busy = going, good = going;
     Number before(0.0);
+    Turned turned;
     for(int count = 1; any(busy); ++count)
     {
       ++effort.sweeps;
       Stages G[n], change[n];
-      sweep(h, drive, of_step, F, G);
+      sweep(h, drive, of_step, F, busy, count == 1, turned, G);
       for(unsigned k = 0; k < n; ++k)
         change[k] = G[k] - F[k];
       const Number changed = size_of(change), size = size_of(G);
@@ -469,30 +564,35 @@ private:
     const Answer accepted = converged & (error <= tolerance);
     const Answer rejected = going & !accepted;
 
-    // how much longer or shorter the next may be
-    const Number floor(0x1p-200);
-    const Number room = tolerance / select(floor <= error, error, floor);
-    const Number factor = Number(0.9) * root(root(root(root(room))));
-    const Answer first = last_step_ <= zero;
-    const Number fading = Number(0.9) * trouble_;
-    const Number trouble = select(first, error, select(fading <= error, error, fading));
-    const Answer easy = Number(0x1p5) * trouble <= tolerance, idle = Number(0x1p18) * trouble <= tolerance;
-    const Number longer = select(idle, Number(2.0), select(easy, Number(1.1875), Number(1.0)));
-    const Number held =
-        select(factor <= Number(0.25), Number(0.25), select(factor <= Number(0.8), factor, Number(0.8)));
-    const Number shorter = select(converged, held, Number(0.5));
-
-    commit(accepted, h, F);
-    const Number grown = select(h < step_, step_, trimmed(h * longer));
-    step_ = select(accepted, grown, select(rejected, trimmed(h * shorter), step_));
-    trouble_ = select(accepted, trouble, select(rejected, tolerance, trouble_));
-    const Answer hopeless =
-        rejected & ((step_ <= Number(0x1p-40) * magnitude_of(t_)) | (step_ <= Number(0x1p-900)));
-    refused_ = select(hopeless, Number(1.0), refused_);
+    // The common case, a step that was good and that is followed by one as long, waits for none of this.
     if(any(accepted))
+    {
+      const Answer first = last_step_ <= zero;
+      const Number fading = Number(0.9) * trouble_;
+      const Number trouble = select(first, error, select(fading <= error, error, fading));
+      const Answer easy = Number(0x1p5) * trouble <= tolerance,
+                   idle = Number(0x1p18) * trouble <= tolerance;
+      const Answer longer = accepted & easy & !(h < step_);
+      if(any(longer))
+        step_ = select(longer, trimmed(h * select(idle, Number(2.0), Number(1.1875))), step_);
+      trouble_ = select(accepted, trouble, trouble_);
+      commit(accepted, h, F);
       ++effort.steps;
+    }
     if(any(rejected))
+    {
+      const Number floor(0x1p-200);
+      const Number room = tolerance / select(floor <= error, error, floor);
+      const Number factor = Number(0.9) * root(root(root(root(room))));
+      const Number held =
+          select(factor <= Number(0.25), Number(0.25), select(factor <= Number(0.8), factor, Number(0.8)));
+      step_ = select(rejected, trimmed(h * select(converged, held, Number(0.5))), step_);
+      trouble_ = select(rejected, tolerance, trouble_);
+      const Answer hopeless =
+          rejected & ((step_ <= Number(0x1p-40) * magnitude_of(t_)) | (step_ <= Number(0x1p-900)));
+      refused_ = select(hopeless, Number(1.0), refused_);
       ++effort.rejected;
+    }
   }
 
   // Where F leads to in a step of h.

@@ -1,18 +1,20 @@
 /// @file
 /// A motion of few degrees of freedom, or eight of them side by side, integrated to rounding by Gauss' collocation.
 ///
-/// A system says how many numbers move and what their accelerations are, for doubles and for eight at once:
+/// A system says how many numbers move and what their accelerations are, for eight of each at once. The first `angles` of
+/// them may be angles: then it is given their sines and cosines too, which cost less so than if it found them itself.
 ///
 /// @code{.cpp}
 /// struct Pendulum
 /// {
-///   static constexpr unsigned freedoms = 1;
-///   double q2;  // x″ = −q² sin x
+///   static constexpr unsigned freedoms = 1, angles = 1;  // the latter may be left out, and `turned` with it
+///   double q2;                                           // x″ = −q² sin x
 ///
 ///   template <class Of, class Real>
-///   ELEMENTARY_INLINE static void accelerations(const Of& of, const Real& t, const Real* x, const Real* v, Real* a)
+///   ELEMENTARY_INLINE static void accelerations(const Of& of, const Real& t, const Real* x,
+///                                               const elementary::SineCosine<Real>* turned, const Real* v, Real* a)
 ///   {
-///     a[0] = Real(-of.q2) * sincos(x[0]).sine;
+///     a[0] = Real(-of.q2) * turned[0].sine;
 ///   }
 /// };
 /// collocation::Motion<Pendulum> motion({1}, {.x = {1.5}, .v = {0}}, {.first_step = 0.1});
@@ -28,6 +30,7 @@
 /// units of 2⁻⁵².
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -54,6 +57,12 @@ struct Care
   double first_step =
       0.125;  ///< what is tried first; found too long, it is shortened, found too short, lengthened
 };
+
+/// The first step, as short as all others are kept.
+inline double first_step(const Care& care)
+{
+  return trimmed(std::max(care.first_step, 0x1p-900));
+}
 
 /// The functions that carry a motion on, compiled for one instruction set.
 template <class System, unsigned lanes>
@@ -120,7 +129,7 @@ public:
     }
     if(!possible)
       throw std::domain_error("no such motion: numbers must be finite, the tolerance from 1e-24 to 0.01");
-    kept_.step[0] = care.first_step;
+    kept_.step[0] = first_step(care);
     effort_.tolerance = care.tolerance;
   }
 
@@ -178,7 +187,7 @@ public:
         kept_.x[k][i] = starts[i].x[k];
         kept_.v[k][i] = starts[i].v[k];
       }
-      kept_.step[i] = care.first_step;
+      kept_.step[i] = first_step(care);
     }
     effort_.tolerance = care.tolerance;
   }
