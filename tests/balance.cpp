@@ -149,6 +149,11 @@ TEST_CASE("small swings keep together what a slight change puts apart, wild ones
 {
   CHECK(parting(example, released(1e-6, 1e-6, -1e-6), 6) == between(1, 1.01, "each its own cosine"));
   CHECK(parting({25, 400, 0.05, 0.45}, released(0, 0.35, -0.35), 20) > 1e6);
+  CHECK(sure_until(example, released(1e-6, 1e-6, -1e-6), 6, 10) == 6);
+  const double sure = sure_until({25, 400, 0.05, 0.45}, released(0, 0.35, -0.35), 20, 1e4);
+  CHECK(sure == 20. / 64);
+  CHECK(parting({25, 400, 0.05, 0.45}, released(0, 0.35, -0.35), sure) <= 1e4);
+  CHECK(parting({25, 400, 0.05, 0.45}, released(0, 0.35, -0.35), 2 * sure) > 1e4);
 }
 
 TEST_CASE("seen in a mirror the balance moves as its image does")

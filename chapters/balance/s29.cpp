@@ -15,8 +15,8 @@ $\eta = n$, $\vartheta = 0$, and both rates must vanish. With the formulae of {{
 again four conditions, written at once in their simplest form; $K$ is the fraction of {{sec balance.26}}:
 
 $$ \begin{aligned}
-\text{I.}\quad n &= \mathfrak A\sin\alpha\,(1+K), & \text{III.}\quad 0 &= \mathfrak A\cos\alpha\,(1-K),\\
-\text{II.}\quad 0 &= \mathfrak B\sin\beta\,(1-K), & \text{IV.}\quad 0 &= \mathfrak B\cos\beta\,(1+K).
+\text{I.}\quad n &= \mathfrak A\sin\alpha\,(1+K),\\ \text{II.}\quad 0 &= \mathfrak B\sin\beta\,(1-K),\\
+\text{III.}\quad 0 &= \mathfrak A\cos\alpha\,(1-K),\\ \text{IV.}\quad 0 &= \mathfrak B\cos\beta\,(1+K).
 {{entry sign_of_IV}} \end{aligned} \tag{1} $$
 
 He writes III and IV without their factors $\mathfrak A$ and $\mathfrak B$, and adds that these are to be
@@ -74,12 +74,14 @@ double K()  // 2iλm/(4μμ − λλ), i = ½λa/b
   return beta * lambda * lambda * m / ((2 * mu - lambda) * (2 * mu + lambda));
 }
 
+constexpr double room = 1e4;  // by so much a slight change of the start may grow
+
 TELL
 {
   require(std::abs(4 * mu * mu - lambda * lambda) >= 0.1 * lambda * lambda, "lambda",
           "such that 4μμ differs from λλ by a tenth of it");
   require(std::abs(1 + K()) > 1e-3 && std::abs(1 - K()) > 1e-3, "m", "such that K is neither 1 nor -1");
-  require(parting(given(), released(m, n, 0), t) <= 1e4, "t",
+  require(parting(given(), released(m, n, 0), t) <= room, "t",
           "so short that a slight change does not grow ten thousand times");
   tell("K", K(), "K");
   tell("of_P", 1 + K(), "1 + K, by which n is divided to give 𝔄 at α = 90°");
@@ -95,7 +97,7 @@ TELL
 TELL
 {
   curve("other", {"t", "full", "second"}, [](Curve& out) {
-    const double until = 8 * std::numbers::pi / lambda;
+    const double until = sure_until(given(), released(m, n, 0), 8 * std::numbers::pi / lambda, room);
     for(int k = 0; const State<>& now : course(given(), released(m, n, 0), until, 1200))
     {
       const double at = until * k++ / 1200;

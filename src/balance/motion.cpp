@@ -168,6 +168,13 @@ double parting(const Balance<>& b, const State<>& start, double t)
   return most;
 }
 
+double sure_until(const Balance<>& b, const State<>& start, double until, double most)
+{
+  while(parting(b, start, until) > most)
+    until /= 2;
+  return until;
+}
+
 State<> runge_kutta(const Balance<>& b, const State<>& start, double t, int steps)
 {
   if(steps < 1)

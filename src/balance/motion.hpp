@@ -62,6 +62,11 @@ std::vector<State<>> course(const Balance<>& b, const State<>& start, double unt
 /// beginning is magnified. @throws std::domain_error and std::runtime_error as Motion does. Precondition: t ≥ 0
 double parting(const Balance<>& b, const State<>& start, double t);
 
+/// The greatest of `until`, its half, its quarter and so on until which parting() is at most `most`: so long a motion told
+/// in doubles is the motion of the balance, not of how the start was rounded.
+/// @throws std::domain_error and std::runtime_error as Motion does. Precondition: until ≥ 0, most > 1
+double sure_until(const Balance<>& b, const State<>& start, double until, double most);
+
 /// The state at the time t by GSL's rk8pd, which keeps its estimate of each step's error below `tolerance`, absolutely for
 /// small numbers and relatively for great ones.
 /// @throws std::domain_error as Motion does, for 1e-15 ≤ tolerance ≤ 0.1; std::runtime_error if GSL gives up
