@@ -11,11 +11,13 @@
 
 #include <gsl/gsl_sf_mathieu.h>
 
+#include "balance/causes.hpp"
 #include "balance/exchange.hpp"
 #include "balance/hung.hpp"
 #include "balance/links.hpp"
 #include "balance/mathieu.hpp"
 #include "balance/motion.hpp"
+#include "balance/small_swings.hpp"
 #include "edition/compare.hpp"
 
 using namespace balance;
@@ -184,6 +186,15 @@ TEST_CASE("the designed instrument has the frequencies it was designed for, and 
   CHECK(at_start.rate.phi == within(0.1, 1e-14, "the same"));
 }
 
+TEST_CASE("the small motion keeps its digits where the masses are nearly singular and the modes nearly cancel")
+{
+  // a beam of a ten thousandth of a pan's weight on very short shears: from mpmath, sixty digits
+  const Suspended light{{0.1, 100, 10, 10000, 100, 0.01, 0.1}, 0.01};
+  const Four now = linear_motion(light, {{0, 0, 0.17453292519943295, 0}, {}}, 10).at;
+  CHECK(now.phi == within_relative(Fifty("0.154517572140052182779925"), 4e-16, "one rounding"));
+  CHECK(now.theta == within_relative(Fifty("-0.00001460801711001171799712512"), 4e-16, "the same"));
+}
+
 TEST_CASE("the exact motion with C movable")
 {
   const char* because = "the instrument's numbers are rounded, some hundred steps to rounding";
@@ -227,8 +238,12 @@ TEST_CASE(
       CHECK(other.v[k] == within(mine.v[k], 1e-8, "the same, of rates some times as great"));
     }
     const Energies shares = energies(s, now);
-    CHECK(links::built(s).energy(mine)
-          == within_relative(shares.P + shares.Q + shares.rest, 1e-14, "sums"));
+    const double all = shares.P + shares.Q + shares.rest;
+    CHECK(links::built(s).energy(mine) == within_relative(all, 1e-14, "sums"));
+    const Energies parts = links::built(s).shares(mine);
+    CHECK(parts.P == within_relative(shares.P / all, 1e-13, "sums"));
+    CHECK(parts.Q == within_relative(shares.Q / all, 1e-13, "sums"));
+    CHECK(parts.P + parts.Q + parts.rest == within_ulps(Fifty(1), 2, "sums"));
   }
   const auto widened = [](const Suspended& s, const Fifty& longer) {
     const Instrument& x = s.beam;
@@ -242,6 +257,51 @@ TEST_CASE(
     for(const Suspended& s : {designed, plain})
       CHECK(handed_on(s, longer)
             == within_relative(links::handed_on(widened(s, longer)), 1e-12, "Eigen's"));
+}
+
+TEST_CASE("the cubic in fifty digits has the designed roots, and the shapes that the masses ask for")
+{
+  const Instrument& x = designed.beam;
+  const links::Built<Fifty> of{designed.h, x.a, x.b, x.b, x.c, x.kk, x.L, x.M, 2 * Fifty(x.g)};
+  const Small_swings small(of);
+  Fifty sum = 0;
+  for(const int fifths : {5, 13, 21})
+  {
+    const Small_swings::Way way = small.together(Fifty(fifths * fifths) / 25 + Fifty("1e-3"));
+    CHECK(way.square == within_relative(Fifty(fifths * fifths) / 25, 1e-14, "M, c and h rounded"));
+    sum += way.square;
+    // the masses at rest times the shape, times σ², are the stiffness times it
+    const auto masses = of.equations({});
+    const auto stiffness = of.stiffness();
+    for(std::size_t i{0}; i < 4; ++i)
+    {
+      Fifty left = -stiffness[i] * way.shape[i];
+      for(std::size_t k{0}; k < 4; ++k)
+        left += way.square * masses[i][k] * way.shape[k];
+      CHECK(left == within(0, 1e-36, "fifty digits"));
+    }
+  }
+  CHECK(sum == within_relative(small.sum_of_roots(), 1e-36, "fifty digits"));
+  CHECK(small.rough_time() == within_relative(Fifty(transfer(designed).estimate), 1e-14, "some products"));
+  const Small_swings::Limits limits = small.limits(Fifty(1) / 5, Fifty(1) / 2);
+  CHECK(limits.critical == within_relative(sqrt(Fifty(8) / 5), 1e-14, "√(32σ/μ), μ = 4"));
+  CHECK(limits.reach == 1);
+  CHECK(Small_swings::reach(2) == within_relative(trapping(1. / 32, 1, 2).reach, 1e-15, "doubles"));
+}
+
+TEST_CASE("three causes: by each the motion passes, in the time that its theory has; without any it stays")
+{
+  for(const Cause by : {Cause::pivot, Cause::beam, Cause::ends})
+  {
+    const Farthest seen = causes::passing(by);
+    CHECK(causes::theory(by) == within_relative(causes::theory_exactly(by), 1e-10, "differences"));
+    CHECK(seen.time == within_relative(causes::theory(by), 0.03, "a flat top"));
+    CHECK(seen.Q / causes::of_P == between(0.98, 1.02, "nearly all"));
+    CHECK(causes::way(by).size() == 131);
+  }
+  CHECK(causes::passing(Cause::none).Q / causes::of_P < 0.01);
+  CHECK(std::isinf(causes::theory(Cause::none)));
+  CHECK_THROWS_AS(causes::theory_exactly(Cause::none), std::invalid_argument);
 }
 
 TEST_CASE("the exchange by shears keeps together what a slight change puts apart, a wild motion does not")

@@ -10,7 +10,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include "balance/phase.hpp"
 #include "balance/systems.hpp"
 
 namespace balance
@@ -21,10 +20,13 @@ namespace
 using exact::Fifty;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The matrices of the linear motion with η = ϑ: stiffness (diagonal) and masses for φ, ω and both pans together.
+/// φ, ω and both pans together.
+using Three = std::array<Fifty, 3>;
+
+/// The matrices of the linear motion with η = ϑ: stiffness (diagonal) and masses.
 struct Matrices
 {
-  std::array<Fifty, 3> stiffness;
+  Three stiffness;
   std::array<std::array<Fifty, 3>, 3> mass;
 };
 
@@ -155,7 +157,7 @@ Fifty beyond_pans(const Suspended& s, const Fifty& mu2)
 }
 
 /// What stiffness and masses leave of a mode: its shape is at right angles to two rows.
-std::array<Fifty, 3> shape_of(const Suspended& s, const Matrices& m, const Fifty& square)
+Three shape_of(const Suspended& s, const Matrices& m, const Fifty& square)
 {
   const int first = first_of(s);
   std::array<std::array<Fifty, 3>, 3> row;
@@ -167,16 +169,14 @@ std::array<Fifty, 3> shape_of(const Suspended& s, const Matrices& m, const Fifty
     const auto size = [](const Fifty& x, const Fifty& y) { return abs(x) + abs(y); };
     const bool upper =
         size(row[1][1], row[1][2]) / m.mass[1][1] >= size(row[2][1], row[2][2]) / m.mass[2][2];
-    return upper ? std::array<Fifty, 3>{0, -row[1][2], row[1][1]}
-                 : std::array<Fifty, 3>{0, -row[2][2], row[2][1]};
+    return upper ? Three{0, -row[1][2], row[1][1]} : Three{0, -row[2][2], row[2][1]};
   }
-  std::array<Fifty, 3> best;
+  Three best;
   Fifty largest = -1;
   for(std::size_t i = 0; i < 3; ++i)
   {
     const auto &x = row[(i + 1) % 3], &y = row[(i + 2) % 3];
-    const std::array<Fifty, 3> across{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2],
-                                      x[0] * y[1] - x[1] * y[0]};
+    const Three across{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
     const Fifty size = (abs(across[0]) + abs(across[1]) + abs(across[2])) * m.mass[i][i];
     if(size > largest)
     {
@@ -187,9 +187,10 @@ std::array<Fifty, 3> shape_of(const Suspended& s, const Matrices& m, const Fifty
   return best;
 }
 
-Mode mode_of(const Suspended& s, const Matrices& m, const Fifty& square)
+/// The same, its greatest part being 1.
+Three normal_shape(const Suspended& s, const Matrices& m, const Fifty& square)
 {
-  std::array<Fifty, 3> shape = shape_of(s, m, square);
+  Three shape = shape_of(s, m, square);
   std::size_t greatest = 0;
   for(std::size_t i = 1; i < 3; ++i)
     if(abs(shape[i]) > abs(shape[greatest]))
@@ -197,18 +198,30 @@ Mode mode_of(const Suspended& s, const Matrices& m, const Fifty& square)
   const Fifty size = shape[greatest];
   for(Fifty& x : shape)
     x /= size;
-  Fifty mass = 0;
-  for(std::size_t i = 0; i < 3; ++i)
-    for(std::size_t j = 0; j < 3; ++j)
-      mass += shape[i] * m.mass[i][j] * shape[j];
-  const Fifty frequency = sqrt(square);
-  const double rounded = square < 0 ? nan : static_cast<double>(frequency);
-  const auto x = [&shape](std::size_t i) { return static_cast<double>(shape[i]); };
-  return {static_cast<double>(square),
-          rounded,
-          square < 0 ? 0 : static_cast<double>(frequency - rounded),
-          {x(0), x(1), x(2), x(2)},
-          static_cast<double>(mass)};
+  return shape;
+}
+
+Mode mode_of(const Fifty& square, const Four& shape)
+{
+  return {static_cast<double>(square), square < 0 ? nan : static_cast<double>(Fifty(sqrt(square))), shape};
+}
+
+/// Where a mode is at the time t, and how fast.
+struct Swung
+{
+  Fifty x;
+  Fifty v;
+};
+
+/// From where it is at first, and how fast; it swings, or topples, or drifts.
+Swung swung(const Fifty& square, const Fifty& at, const Fifty& rate, double t)
+{
+  if(square == 0)
+    return {at + rate * t, rate};
+  const Fifty k = sqrt(abs(square)), turn = k * t;
+  if(square > 0)
+    return {at * cos(turn) + rate / k * sin(turn), rate * cos(turn) - at * k * sin(turn)};
+  return {at * cosh(turn) + rate / k * sinh(turn), rate * cosh(turn) + at * k * sinh(turn)};
 }
 
 systems::Hung system_of(const Suspended& s)
@@ -244,14 +257,13 @@ std::vector<Mode> modes(const Suspended& s)
   const Matrices m = matrices_of(s);
   std::vector<Mode> all;
   for(const Fifty& square : squares(s))
-    all.push_back(mode_of(s, m, square));
-  const Fifty square = 2 * Fifty(s.beam.g) / s.beam.b, frequency = sqrt(square);
-  const double rounded = static_cast<double>(frequency);
-  all.push_back({static_cast<double>(square),
-                 rounded,
-                 static_cast<double>(frequency - rounded),
-                 {0, 0, 1, -1},
-                 static_cast<double>(m.mass[2][2])});
+  {
+    const Three shape = normal_shape(s, m, square);
+    const double pans = static_cast<double>(shape[2]);
+    all.push_back(
+        mode_of(square, {static_cast<double>(shape[0]), static_cast<double>(shape[1]), pans, pans}));
+  }
+  all.push_back(mode_of(2 * Fifty(s.beam.g) / s.beam.b, {0, 0, 1, -1}));
   std::stable_sort(all.begin(), all.end(),
                    [](const Mode& x, const Mode& y) { return x.square < y.square; });
   return all;
@@ -327,47 +339,35 @@ double handed_on(const Suspended& s, double longer)
 Full_state linear_motion(const Suspended& s, const Full_state& start, double t)
 {
   const Matrices m = matrices_of(s);
-  const auto inner = [&m](const Four& x, const Four& y) {  // with the masses, all four angles
-    const auto M = [&m](std::size_t i, std::size_t j) { return static_cast<double>(m.mass[i][j]); };
-    const double x2 = (x.eta + x.theta) / 2, y2 = (y.eta + y.theta) / 2;
-    const double apart = (x.eta - x.theta) * (y.eta - y.theta) / 4;
-    return x.phi * (M(0, 0) * y.phi + M(0, 1) * y.omega + M(0, 2) * y2)
-           + x.omega * (M(1, 0) * y.phi + M(1, 1) * y.omega + M(1, 2) * y2)
-           + x2 * (M(2, 0) * y.phi + M(2, 1) * y.omega + M(2, 2) * y2) + M(2, 2) * apart;
+  const auto inner = [&m](const Three& x, const Three& y) {  // with the masses
+    Fifty sum = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = 0; j < 3; ++j)
+        sum += x[i] * m.mass[i][j] * y[j];
+    return sum;
   };
-  Full_state now;
-  for(const Mode& mode : modes(s))
+  const auto half = [](double x, double y) { return (Fifty(x) + y) / 2; };
+  const Three at{start.at.phi, start.at.omega, half(start.at.eta, start.at.theta)};
+  const Three rate{start.rate.phi, start.rate.omega, half(start.rate.eta, start.rate.theta)};
+  Three x{0, 0, 0}, v{0, 0, 0};
+  for(const Fifty& square : squares(s))
   {
-    const double at = inner(mode.shape, start.at) / mode.per_start,
-                 rate = inner(mode.shape, start.rate) / mode.per_start;
-    double x = 0, v = 0;
-    if(mode.square > 0)
+    const Three shape = normal_shape(s, m, square);
+    const Fifty mass = inner(shape, shape);
+    const Swung by = swung(square, inner(shape, at) / mass, inner(shape, rate) / mass, t);
+    for(std::size_t i = 0; i < 3; ++i)
     {
-      const auto [sine, cosine] = phase(Rate<double>{mode.frequency, mode.frequency_lost}, t);
-      x = at * cosine + rate / mode.frequency * sine;
-      v = rate * cosine - at * mode.frequency * sine;
+      x[i] += shape[i] * by.x;
+      v[i] += shape[i] * by.v;
     }
-    else if(mode.square < 0)
-    {
-      const double k = std::sqrt(-mode.square);
-      x = at * std::cosh(k * t) + rate / k * std::sinh(k * t);
-      v = rate * std::cosh(k * t) + at * k * std::sinh(k * t);
-    }
-    else
-    {
-      x = at + rate * t;
-      v = rate;
-    }
-    const auto add = [&mode](Four& to, double by) {
-      to.phi += mode.shape.phi * by;
-      to.omega += mode.shape.omega * by;
-      to.eta += mode.shape.eta * by;
-      to.theta += mode.shape.theta * by;
-    };
-    add(now.at, x);
-    add(now.rate, v);
   }
-  return now;
+  const Swung apart = swung(2 * Fifty(s.beam.g) / s.beam.b, half(start.at.eta, -start.at.theta),
+                            half(start.rate.eta, -start.rate.theta), t);
+  const auto four = [](const Three& all, const Fifty& pans) {
+    return Four{static_cast<double>(all[0]), static_cast<double>(all[1]),
+                static_cast<double>(all[2] + pans), static_cast<double>(all[2] - pans)};
+  };
+  return {four(x, apart.x), four(v, apart.v)};
 }
 
 Energies energies(const Suspended& s, const Full_state& now)

@@ -49,12 +49,9 @@ struct Full_state
 /// One way to swing in which all swing alike.
 struct Mode
 {
-  double square;          ///< σ², 1/s²; negative where it topples
-  double frequency;       ///< σ, 1/s; NaN where it topples
-  double frequency_lost;  ///< what σ was rounded by
+  double square;     ///< σ², 1/s²; negative where it topples
+  double frequency;  ///< σ, 1/s; NaN where it topples
   Four shape;  ///< the angles, the greatest being ±1; 0 throughout where C is fixed and φ does not move
-  double
-      per_start;  ///< what the mass matrix makes of the shape: Σ shapeᵢ Mᵢⱼ shapeⱼ, in the instrument's units
 };
 
 /// The linear modes, the slowest first: four, or three where C is fixed. Frequencies, squares and shapes are right to the
@@ -82,7 +79,8 @@ Transfer transfer(const Suspended& s);
 /// @throws std::domain_error as modes() does, unless longer > −1, and where a mode topples or nothing couples the pans
 double handed_on(const Suspended& s, double longer);
 
-/// The linear motion at the time t: the sum of the modes with the parts that the start gives them.
+/// The linear motion at the time t: the sum of the modes with the parts that the start gives them, in fifty digits, and so
+/// right to the last bit for exactly the doubles given.
 /// @throws std::domain_error as modes() does
 Full_state linear_motion(const Suspended& s, const Full_state& start, double t);
 

@@ -162,6 +162,18 @@ struct Built
     }
     return sum;
   }
+
+  /// Whose the energy is, in parts of all: a pan's own is reckoned as if its string hung from a fixed point.
+  Energies shares(const Place<Number>& at) const
+  {
+    using std::cos;
+    const Number all = energy(at);
+    const auto own = [&](const Number& string, std::size_t pan) {
+      return L * string * (string * at.v[pan] * at.v[pan] / (2 * G) + 1 - cos(at.q[pan])) / all;
+    };
+    const Number P = own(b, 2), Q = own(b1, 3);
+    return {P, Q, 1 - P - Q};
+  }
 };
 
 /// A balance of hung.hpp, built so.
