@@ -185,3 +185,21 @@ CHECK_THAT("the staircase has, at each of its points, the fewest terms that serv
         CHECK(point.value("terms") == within(Fifty(fewest), 0, "a count"));
       }
 }
+
+/*!
+## Go on from here
+
+::: exercise
+How near to the top must the pendulum be let go for the series {{eq 3}} to need no term but the 1, to eight
+decimals?
+
+answer: Its second term, nearly $\frac1{16}\eta^2$, must be less than half a unit of the eighth decimal: so
+from 0.0162° on.
+:::
+*/
+
+CHECK_THAT("the 1 alone serves to 0.0162°, and not to 0.0163°")
+{
+  CHECK(terms_needed(0.0162_deg) == 1);
+  CHECK(terms_needed(0.0163_deg) == 2);
+}
