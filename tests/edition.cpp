@@ -182,6 +182,14 @@ TEST_CASE("a comparison remembers what it used of its tolerance, and an infinity
   CHECK_FALSE(1.0 == within(Fifty(std::nan("")), 1e300, "no number is expected"));
 }
 
+TEST_CASE("words in a claim are shown, and not the place in the memory where they lie")
+{
+  const char* const words = "Huygens";
+  const char* const none = nullptr;
+  CHECK(doctest::toString(words) == "Huygens");
+  CHECK(doctest::toString(none) == "nullptr");
+}
+
 TEST_CASE("names are letters, digits and _")
 {
   CHECK(is_name("T_over_Theta2"));

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#define EIGEN_DONT_VECTORIZE  // sums in one order, and to the same bits, on every processor and in the page
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#define EIGEN_DONT_VECTORIZE  // sums in one order, and to the same bits, on every processor and in the page
 #include <Eigen/Eigenvalues>
 
 #include "balance/systems.hpp"

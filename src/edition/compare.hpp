@@ -94,7 +94,12 @@ Claim take_last_claim();
 }  // namespace edition
 
 /// @cond
-// Fifty and Rational in doctest's messages.
+// Fifty, Rational and words in doctest's messages; of words doctest itself says where they lie.
+template <>
+struct doctest::StringMaker<const char*>
+{
+  static doctest::String convert(const char* words) { return words ? words : "nullptr"; }
+};
 template <>
 struct doctest::StringMaker<exact::Fifty>
 {

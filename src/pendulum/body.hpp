@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#define EIGEN_DONT_VECTORIZE  // sums in one order, and to the same bits, on every processor and in the page
 #include <Eigen/Core>
 
 namespace pendulum

@@ -9,6 +9,7 @@
 #include <memory>
 #include <numbers>
 
+#define EIGEN_DONT_VECTORIZE  // sums in one order, and to the same bits, on every processor and in the page
 #include <Eigen/LU>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
