@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <complex>
 #include <initializer_list>
 
 #include "elementary/names.hpp"
@@ -56,4 +57,18 @@ TEST_CASE("an angle's sine and cosine asked for together are the same")
     CHECK(sine == theirs("sin", x));
     CHECK(cosine == theirs("cos", x));
   }
+}
+
+TEST_CASE("of complex numbers, too, they are made of the functions rounded to nearest")
+{
+  for(const double x : {-3.0, 0.1, 2.0, 40.0})
+    for(const double y : {-1.5, 1e-9, 0.7})
+    {
+      const std::complex<double> z(x, y);
+      CHECK(std::abs(z) == nearest::hypot(x, y));
+      CHECK(std::cos(z).real() == nearest::cos(x) * nearest::cosh(y));
+      CHECK(std::cos(z).imag() == -nearest::sin(x) * nearest::sinh(y));
+      CHECK(std::sin(z).real() == nearest::sin(x) * nearest::cosh(y));
+      CHECK(std::sin(z).imag() == nearest::cos(x) * nearest::sinh(y));
+    }
 }

@@ -102,8 +102,9 @@ struct Swing  ///< what is integrated, a = 1
 
 double risen_in(const Swing& swing, double to)  // the time from C to the angle `to`, (2): Gauss's rule in α
 {
+  using Doubles = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
   const double last = std::asin(std::min(1.0, to / swing.most));
-  boost::math::quadrature::gauss<double, 60> rule;
+  boost::math::quadrature::gauss<double, 60, Doubles> rule;
   return rule.integrate([&](double alpha) { return swing.smooth(alpha); }, 0.0, last);
 }
 

@@ -407,11 +407,12 @@ double missed(int n, double ratio, double to)  // what Gauss's rule with n place
     double largest = 0;
     for(int i = 0; i <= 60; ++i)
     {
-      const std::complex<double> w = std::polar(rho, i * std::numbers::pi / 60),
-                                 x = to / 2 * (1.0 + (w + 1.0 / w) / 2.0);
-      const std::complex<double> c = std::cos(x), kk = ratio * ratio;
-      largest = std::max(largest, std::abs(c + kk * c - kk * std::pow(c, -3)
-                                           - 6.0 * kk * kk * (1.0 - c * c) * std::pow(c, -7)));
+      const double angle = i * std::numbers::pi / 60, kk = ratio * ratio;
+      const std::complex<double> out = std::polar(rho, angle), in = std::polar(1 / rho, -angle);
+      const std::complex<double> c = std::cos(to / 2 * (1.0 + (out + in) / 2.0));
+      const std::complex<double> secant = std::conj(c) / std::norm(c), cubed = secant * secant * secant;
+      const auto r = c + kk * (c - cubed) - 6 * kk * kk * (1.0 - c * c) * cubed * cubed * secant;
+      largest = std::max(largest, std::abs(r));
     }
     least = std::min(least, to / 2 * 64 / 15 * largest * std::pow(rho, -2 * n) / (1 - 1 / (rho * rho)));
   }

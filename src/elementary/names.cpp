@@ -28,6 +28,17 @@ Function* plain(const char* name)
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 
+/// A complex number of C's; `__extension__`, for C++ has none.
+__extension__ using Complex = double _Complex;
+
+Complex complex(double real, double imaginary)
+{
+  Complex z = 0;
+  __real__ z = real;
+  __imag__ z = imaginary;
+  return z;
+}
+
 // `name` is that of `ours`.
 template <auto ours, class... Number>
 double meant(const char* name, Number... x)
@@ -148,4 +159,21 @@ extern "C"
     *sine = nearest::sin(x);
     *cosine = nearest::cos(x);
   }
+#ifndef __EMSCRIPTEN__
+  // Of a complex number: the page's C++ library makes these of those of real numbers, the C library here of its own.
+  double cabs(Complex z)
+  {
+    return hypot(__real__ z, __imag__ z);
+  }
+  Complex ccos(Complex z)
+  {
+    const double x = __real__ z, y = __imag__ z;
+    return complex(cos(x) * cosh(y), -sin(x) * sinh(y));
+  }
+  Complex csin(Complex z)
+  {
+    const double x = __real__ z, y = __imag__ z;
+    return complex(sin(x) * cosh(y), cos(x) * sinh(y));
+  }
+#endif
 }
