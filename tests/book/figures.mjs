@@ -69,9 +69,11 @@ function distance([left, top, right, bottom], points) {
 async function drawing(figure, data) {
   const out = path.join(scratch, `${figure}-${path.basename(data)}.svg`);
   const script = `figures/${figure}.gp`;
-  const print = 'print GPVAL_X_MIN, GPVAL_X_MAX, GPVAL_Y_MIN, GPVAL_Y_MAX, GPVAL_X_LOG, GPVAL_Y_LOG';
+  const print = 'print GPVAL_X_MIN, GPVAL_X_MAX, GPVAL_Y_MIN, GPVAL_Y_MAX';
   const again = `set print '-'; ${print}; unset output; set output '/dev/null'; set autoscale xy; replot; ${print.replaceAll('GPVAL_X_M', 'GPVAL_DATA_X_M').replaceAll('GPVAL_Y_M', 'GPVAL_DATA_Y_M')}`;
-  const multiple = /multiplot/.test(fs.readFileSync(script, 'utf8'));
+  const words = fs.readFileSync(script, 'utf8');
+  const multiple = /multiplot/.test(words);
+  const logarithmic = [...words.matchAll(/^\s*set log(?:scale)?\b *(\w*)/gm)].map(([, axes]) => axes || 'xy').join('');
   const { stdout, stderr } = await run(gnuplot, ['-e', `data='${data}'; out='${out}'`, script, ...(multiple ? [] : ['-e', again])], {
     env: { ...process.env, LC_ALL: 'C.UTF-8' },
   });
@@ -80,11 +82,11 @@ async function drawing(figure, data) {
   const off = [0, 0];
   if (!multiple)
     for (const axis of [0, 1]) {
-      const as = (x) => (frame[4 + axis] > 0 ? Math.log(x) : x);
+      const as = (x) => (logarithmic.includes('xy'[axis]) ? Math.log(x) : x);
       const [lo, hi] = frame.slice(2 * axis, 2 * axis + 2).map(as);
       const [least, most] = all.slice(2 * axis, 2 * axis + 2).map(as);
       const share = Math.max((Math.min(lo, hi) - least) / Math.abs(hi - lo), (most - Math.max(lo, hi)) / Math.abs(hi - lo));
-      off[axis] = Number.isFinite(share) ? Math.max(share, 0) : 0;
+      off[axis] = Math.max(share, 0);
     }
   const [width, height] = svg.match(/viewBox="0 0 (\d+) (\d+)"/).slice(1).map(Number);
   const { drawn, texts } = parts(svg);
@@ -139,7 +141,7 @@ async function tryFigures(program) {
       }
       if (now.said) fault(`${where}: gnuplot says ${now.said.split('\n').pop()}`);
       now.frame.forEach((share, axis) => {
-        if (share > usual[figure].frame[axis] + beyond)
+        if (!(share <= usual[figure].frame[axis] + beyond))
           fault(`${where}: a curve leaves its frame by ${(100 * share).toFixed(0)} % in ${'xy'[axis]}`);
       });
       const worst = (of, what) => Math.max(0, ...usual[figure].labels.filter((l) => l.fill === of).map((l) => l[what]));

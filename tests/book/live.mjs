@@ -10,6 +10,7 @@ import { asText, format } from '../../book/numbers.mjs';
 import { packages } from '../../book/packages.mjs';
 import { rows } from '../../book/table.mjs';
 import { settings } from './settings.mjs';
+import { shown } from './shown.mjs';
 
 const [site, bin] = process.argv.slice(2).map((p) => path.resolve(p));
 const executablePath = [
@@ -78,24 +79,7 @@ const programs = fs
   .map((f) => f.slice(0, -5));
 const parametersOf = (program) => JSON.parse(execFileSync(path.join(bin, program), ['--json'])).parameters;
 
-/** What of a page could change: numbers, formulae, tables, the terminal, drawings. */
-const state = () =>
-  page.evaluate(() => {
-    const drawn = (svg) => svg.outerHTML.replace(/<(title|desc)[^]*?<\/\1>/g, '');
-    const all = (selector, what) => [...document.querySelectorAll(selector)].map(what);
-    return {
-      numbers: all(
-        'main data[data-name]',
-        (e) => `${e.dataset.name}|${e.textContent}|${e.getAttribute('value')}`,
-      ),
-      formulae: all('main .katex', (e) => e.innerHTML),
-      tables: all('main table[data-table] tbody', (e) => e.innerHTML),
-      terminal: all('main pre.told code', (e) =>
-        e.innerHTML.replace(/<span class="command">.*?<\/span>/, ''),
-      ),
-      figures: all('main figure[data-figure] > svg', drawn),
-    };
-  });
+const state = () => page.evaluate(shown);
 
 // --- Euler's numbers, written otherwise, leave every page as it was woven.
 let tried = 0;
@@ -109,6 +93,7 @@ for (const program of programs.filter((_, i) => process.env.EVERY || i % 4 === 0
     `${program}: loads something before it is touched`,
   );
   const woven = await state();
+  expect(woven.figures.length, `${program}: has no figure`);
   const again =
     Number.isInteger(p.default) && p.kind === 'integer'
       ? `+${p.default}`
@@ -136,7 +121,6 @@ for (const program of programs.filter((_, i) => process.env.EVERY || i % 4 === 0
 }
 
 // --- Other settings: what the page says is what the program says.
-const colours = /var\(--\w+\)/g;
 for (const [program, given] of [
   ['pendulum-11', { zeta: '60' }],
   ['pendulum-11', { eta: '1e-300rad' }],
@@ -195,7 +179,7 @@ for (const [program, given] of [
   );
 }
 
-// --- The figure follows, in named colours; by the slider and the keyboard, too.
+// --- By the slider and the keyboard, too; and the figure follows, in named colours.
 await open('pendulum-05');
 const before = await state();
 await page.focus('input[data-slides="zeta"]');
@@ -205,6 +189,12 @@ await page.waitForFunction(
   (was) => document.querySelector('main data[data-name="pendulum.05.phi"]')?.getAttribute('value') !== was,
   before.numbers.find((n) => n.startsWith('pendulum.05.phi|')).split('|')[2],
 );
+await open('pendulum-09');
+const [drawn] = (await state()).figures;
+await write('g', '6.22');
+const [drawnAnew] = (await state()).figures;
+expect(drawnAnew !== drawn, 'pendulum-09: with another g the figure is as it was');
+expect(/var\(--\w+\)/.test(drawnAnew), 'pendulum-09: the figure is not in named colours');
 
 // --- Refused input: the program's own sentence, beside the field, and the page stays as it is.
 await open('pendulum-11');
