@@ -25,7 +25,11 @@ export class Firefox {
     fs.writeFileSync(path.join(profile, 'user.js'), lines.join(''));
     const child = spawn(program, ['--headless', '--no-remote', '--marionette', '--profile', profile], { stdio: 'ignore' });
     const file = path.join(profile, 'MarionetteActivePort');
-    for (let i = 0; i < 600 && !(fs.existsSync(file) && fs.readFileSync(file, 'utf8')); i += 1) await pause(100);
+    for (let i = 0; i < 1200 && !(fs.existsSync(file) && fs.readFileSync(file, 'utf8')); i += 1) await pause(100);
+    if (!fs.existsSync(file)) {
+      child.kill();
+      throw new Error(`${program} does not listen`);
+    }
     const firefox = new Firefox();
     Object.assign(firefox, { profile, child, asked: 0, waiting: new Map() });
     await firefox.connect(Number(fs.readFileSync(file, 'utf8')));
