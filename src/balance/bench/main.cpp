@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@
 
 #include "balance/systems.hpp"
 #include "race/race.hpp"
+#include "sundials.hpp"
 
 namespace
 {
@@ -128,7 +130,7 @@ constexpr Fixed example{1, 9, 0.5, 0.25};
 /// A motion of the example's balance to the time t.
 Scene motion(const std::string& name, const std::string& quantity, const Moment<3>& start, double t,
              const std::vector<double>& for_gsl, const std::vector<double>& for_odeint,
-             const std::vector<double>& for_us)
+             const std::vector<double>& for_sundials, const std::vector<double>& for_us)
 {
   Scene scene{name, quantity, radians, {}};
   const auto exact =
@@ -166,6 +168,15 @@ Scene motion(const std::string& name, const std::string& quantity, const Moment<
       return y;
     });
   }
+  const auto of = std::make_shared<Fixed>(example);
+  for(const double tolerance : for_sundials)
+    for(const bench::sundials::Way& way : bench::sundials::ways(slope_for_gsl, of, 6, tolerance))
+      add(way.name, tolerance, "peer", [=] {
+        State y = row(start);
+        if(!way.from(y.data(), t))
+          y[0] = HUGE_VAL;
+        return y;
+      });
   for(std::size_t i = 0; i < count(); ++i)
     for(const double tolerance : for_us)
       add(fmt::format("Gauss 8, {}", kernels(i).name), tolerance, "ours", [=] {
@@ -235,12 +246,19 @@ Scene chart()
                              by_gsl(pan_for_gsl, &of, y, year / 2, 1e-8);
                              return by_solutions(y);
                            }});
+  const auto of = std::make_shared<Prescribed>(pan);
+  for(const bench::sundials::Way& way : bench::sundials::ways(pan_for_gsl, of, 4, 1e-8))
+    scene.methods.push_back({way.name + " over half the period, 1e-8", "peer", [=] {
+                               std::array<double, 4> y{1, 0, 0, 1};
+                               return way.from(y.data(), year / 2) ? by_solutions(y) : HUGE_VAL;
+                             }});
+  constexpr double third = year / 6 * (1 + 0x1p-20);  // so that no fourth step is left over
   for(std::size_t v = 0; v < count(); ++v)
     for(const double tolerance : {1e-3, 1e-8})
       scene.methods.push_back(
           {fmt::format("Gauss 8 over half the period, {}, {:.0e}", kernels(v).name, tolerance), "ours",
            [=] {
-             collocation::Motion<Prescribed> motion(pan, {{1, 0}, {0, 1}}, {tolerance, year / 6},
+             collocation::Motion<Prescribed> motion(pan, {{1, 0}, {0, 1}}, {tolerance, third},
                                                     kernels(v).prescribed);
              const auto at = motion.to(year / 2);
              return by_solutions({at.x[0], at.x[1], at.v[0], at.v[1]});
@@ -321,22 +339,26 @@ int main(int argc, char** argv)
   const std::vector<std::function<Scene()>> scenes{
       [&] {
         return motion("Euler's example", "Euler's example, 100 periods of the beam", start, 100 * year,
-                      {1e-12, 1e-13}, {1e-12, 1e-14}, {3e-9, 1e-10, 1e-14});
+                      {1e-12, 1e-13}, {1e-12, 1e-14}, {1e-11, 1e-12}, {1e-8, 3e-9, 1e-10, 1e-14});
       },
       [&] {
         return motion("violent motion", "the motion from (0.6, 0.9, −0.5), 3 periods of the beam", violent,
-                      3 * year, {1e-12, 1e-14}, {1e-14}, {1e-10, 1e-11, 1e-14});
+                      3 * year, {1e-12, 1e-14}, {1e-14}, {1e-12}, {1e-10, 2e-11, 1e-11, 1e-14});
       },
       ensemble, chart,
       [&] {
         return motion("ten thousand periods", "Euler's example, 10⁴ periods of the beam", start, 1e4 * year,
-                      {1e-12}, {}, {1e-9, 1e-14});
+                      {1e-12}, {}, {}, {1e-9, 1e-10, 1e-14});
       }};
   Json json{{"machine", processor()},
             {"compiler", BALANCE_COMPILER},
             {"flags", BALANCE_FLAGS},
             {"rounds", rounds},
+            {"left_out", bench::sundials::left_out()},
             {"scenes", Json::array()}};
+  if(!as_json)
+    for(const std::string& name : bench::sundials::left_out())
+      fmt::print("Left out, for it is not installed: {}\n", name);
   for(const auto& make : scenes)
   {
     const Scene scene = make();

@@ -4,13 +4,13 @@
 
 #include "published.hpp"
 
-#ifdef SWING_HAS_ARB
+#ifdef HAS_ARB
 #include <acb_elliptic.h>
 #endif
-#ifdef SWING_HAS_PARI
+#ifdef HAS_PARI
 #include <pari/pari.h>
 #endif
-#ifdef SWING_HAS_SLEEF
+#ifdef HAS_SLEEF
 #include <sleef.h>
 #endif
 
@@ -19,7 +19,7 @@ namespace bench::libraries
 namespace
 {
 
-#ifdef SWING_HAS_ARB
+#ifdef HAS_ARB
 // By the parameter m = k², with as many bits as a double has and eleven more.
 double K_by_arb(double k, double)
 {
@@ -37,7 +37,7 @@ double K_by_arb(double k, double)
 }
 #endif
 
-#ifdef SWING_HAS_PARI
+#ifdef HAS_PARI
 // By the modulus, with PARI's 19 digits; what lies on its stack is dropped again.
 double K_by_pari(double k, double)
 {
@@ -51,7 +51,7 @@ double K_by_pari(double k, double)
 }
 #endif
 
-#ifdef SWING_HAS_SLEEF
+#ifdef HAS_SLEEF
 double K_with_sleef(double, double kc)
 {
   return published::K_in_one_piece(kc * kc, Sleef_log_u10(kc * kc));
@@ -63,13 +63,13 @@ double K_with_sleef(double, double kc)
 std::vector<K_way> K_ways()
 {
   return {
-#ifdef SWING_HAS_SLEEF
+#ifdef HAS_SLEEF
       {"method of Cephes with SLEEF's logarithm", K_with_sleef},
 #endif
-#ifdef SWING_HAS_ARB
+#ifdef HAS_ARB
       {"FLINT's Arb, 64 bits", K_by_arb},
 #endif
-#ifdef SWING_HAS_PARI
+#ifdef HAS_PARI
       {"PARI ellK", K_by_pari},
 #endif
   };
@@ -78,13 +78,13 @@ std::vector<K_way> K_ways()
 std::vector<std::string> left_out()
 {
   return {
-#ifndef SWING_HAS_SLEEF
+#ifndef HAS_SLEEF
       "SLEEF",
 #endif
-#ifndef SWING_HAS_ARB
+#ifndef HAS_ARB
       "FLINT's Arb",
 #endif
-#ifndef SWING_HAS_PARI
+#ifndef HAS_PARI
       "PARI",
 #endif
   };
