@@ -299,6 +299,25 @@ TEST_CASE("Euler's fast turning: his time, his inequalities, and the anomaly")
   CHECK_THROWS_AS(smooth::anomaly({0.9, 0.3}, 1.0), std::domain_error);
 }
 
+TEST_CASE("with hardly any moment of inertia of its own a ball keeps its times, up to a thousand million k")
+{
+  for(const double ratio : {1e7, 1e8, 1e9})
+    for(const double below : {0.7, 1e-12, -1.0})
+    {
+      const Energy<double> e = energy_from_top(below);
+      const Energy<Fifty> exact_e = energy_from_top(Fifty(below));
+      CHECK(smooth::quarter(ratio, 1.0, e)
+            == within_ulps(oracle::smooth_quarter(ratio, 1, exact_e), 8, "the stated bound"));
+      for(const double Phi : {1e-10, 0.5})
+      {
+        const Place<double> at = place(Phi);
+        const Place<Fifty> exact_at{at.s, sqrt(1 - Fifty(at.s) * at.s)};
+        CHECK(smooth::time(ratio, 1.0, e, at)
+              == within_ulps(oracle::smooth_time(ratio, 1, exact_e, exact_at), 8, "the stated bound"));
+      }
+    }
+}
+
 TEST_CASE("arrays have the bits of single calls, and what makes no sense is refused")
 {
   const std::vector<Energy<double>> e{energy(0.5), energy_from_top(1e-9), energy(2.0), energy(0.0)};
