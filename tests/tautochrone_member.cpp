@@ -186,6 +186,34 @@ TEST_CASE("through any point of the region passes one; outside it none that can 
   CHECK_THROWS_AS(at_through(0.3, 0.7, 0.5, 0.8), std::domain_error);
 }
 
+TEST_CASE("many places on one way down are those that are found one by one")
+{
+  for(const Member member : {Member::highest, Member::widest})
+    for(const double k : {0.005, 0.02, 0.1, 0.3, 0.6, 0.99})
+    {
+      const double last = end(member, k).phi;
+      const std::vector<double> angles{0,          5e-324,      1e-200,       1e-12,
+                                       1e-5,       0.01 * last, 0.1 * last,   0.11 * last,
+                                       0.5 * last, 0.9 * last,  0.999 * last, last};
+      const std::vector<Position> places = along(member, k, angles);
+      for(std::size_t i = 0; i < angles.size(); ++i)
+      {
+        const Position alone = at(member, k, angles[i]);
+        CHECK(places[i].phi == angles[i]);
+        CHECK(places[i].r == within_relative(alone.r, 1e-13, "the header's, of both"));
+        CHECK(places[i].x == within_relative(alone.x, 2e-13, "the same, and the square of Y"));
+        CHECK(places[i].s == within(alone.s, 1e-13 * alone.s + 1e-300, "the same, and what underflows"));
+      }
+    }
+  CHECK(along(Member::highest, 0.3, {}).empty());
+  CHECK(
+      along(Member::highest, 1e-6, {0.1, 1.2, 1.56}).back().r
+      == within_relative(highest(Fifty(1e-6), Fifty(1.56)), 1e-13, "near 90° an ulp of the angle counts"));
+  CHECK_THROWS_AS(along(Member::highest, 0.3, {0.2, 0.1}), std::domain_error);
+  CHECK_THROWS_AS(along(Member::highest, 0.3, {0.1, 1.5}), std::domain_error);
+  CHECK_THROWS_AS(along(Member::highest, 1.3, {0.1}), std::domain_error);
+}
+
 TEST_CASE("arc, breadth and cheek of the highest curve; the height again as an integral")
 {
   const double forty = 40 * std::numbers::pi / 180;

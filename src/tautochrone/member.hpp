@@ -41,12 +41,20 @@ Position end(Member member, double k);
  * those of the widest, where the angle itself is not in question (measured for k from 0.001 to 0.999 and φ
  * from 1e-300 to the end).
  *
- * A Taylor series of order 24 at each step. How far above φ the steps must begin, only the rate tells at
- * which different curves approach each other downwards; for small k that is much nearer than the end.
+ * A Taylor series of order 24 at each step. How far above φ the steps must begin, and how good they must be
+ * there, only the rate tells at which different curves approach each other downwards: for small k the begin is
+ * much nearer than the end, and a step that errs high up may be long.
  *
  * @throws std::domain_error unless 1e-9 ≤ k < 1 and 0 ≤ φ ≤ end(member, k).phi
  */
 Position at(Member member, double k, double phi);
+
+/**
+ * The places at several angles, which must grow and lie between 0 and the end: as at() each, but all on one way
+ * down.
+ * @throws std::domain_error as at(), and unless the angles grow
+ */
+std::vector<Position> along(Member member, double k, const std::vector<double>& angles);
 
 /**
  * The place with the angle φ on the tautochrone that passes through the point (φ₁, r₁), which every point
