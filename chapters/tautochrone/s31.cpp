@@ -12,6 +12,7 @@
 #include "tautochrone/euler.hpp"
 #include "tautochrone/member.hpp"
 #include "tautochrone/scene.hpp"
+#include "tautochrone/scene_judge.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
 
@@ -127,26 +128,6 @@ const auto phi0 = angle("phi0", 45_deg, closed(1_deg, 80_deg), "angle at which t
 
 constexpr int swings = 10, of_a_swing = 60;  // frames
 
-std::vector<Drawn> on_exact_curve()  // from the lowest place to φ₀, at even times
-{
-  const double root = std::sqrt(at(Member::highest, K, phi0).x);
-  std::vector<double> angles;
-  double guess = phi0;
-  for(int i = 1; i < of_a_swing / 2; ++i)
-  {
-    const double wanted = root * std::cos(std::numbers::pi * i / of_a_swing);
-    for(int step = 0; step < 5; ++step)
-    {
-      const Position now = at(Member::highest, K, guess);
-      guess -= (std::sqrt(now.x) - wanted) * 2 * std::sqrt(now.x) / (now.r * std::sin(guess));
-    }
-    angles.insert(angles.begin(), guess);
-  }
-  angles.insert(angles.begin(), 0.);
-  angles.push_back(phi0);
-  return tautochrone::drawn(Member::highest, K, angles);
-}
-
 bool euler_rises()
 {
   return phi0 < largest_amplitude(Cheeks::euler_k4, K);
@@ -174,25 +155,15 @@ TELL
   struct Way
   {
     std::string name, colour;
-    std::function<std::vector<double>(int)> at;  // φ, and the place from the lowest one
+    std::vector<Hung> at;  // the frames
   };
   const double T = small_swing(K), unit = clock_in_seconds(a, g);
-  const auto summed_way = [T](Cheeks cheeks, double ratio) {
-    return [swing = Timed_swing(cheeks, K, phi0), T, ratio](int i) -> std::vector<double> {
-      const double here = swing.angle(T * i / of_a_swing);
-      return {here, euler_y<double>(1, ratio, here), euler_x<double>(1, ratio, here)};
-    };
-  };
-  std::vector<Way> ways{{"huygens", "green", summed_way(Cheeks::cycloids, 0)}};
+  constexpr int last = swings * of_a_swing;
+  std::vector<Way> ways{{"huygens", "green", hung_between(Cheeks::cycloids, K, phi0, of_a_swing, last)}};
   if(euler_rises())
-    ways.push_back({"euler", "vermilion", summed_way(Cheeks::euler_k4, K)});
+    ways.push_back({"euler", "vermilion", hung_between(Cheeks::euler_k4, K, phi0, of_a_swing, last)});
   if(exact_rises())
-    ways.push_back({"exact", "blue", [places = on_exact_curve()](int i) -> std::vector<double> {
-                      const int down = of_a_swing / 2 - i % of_a_swing;
-                      const Drawn& now = places.at(static_cast<std::size_t>(std::abs(down)));
-                      const double side = (i / of_a_swing % 2 == 0) == (down >= 0) ? 1 : -1;
-                      return {side * now.at.phi, side * now.y, now.at.x};
-                    }});
+    ways.push_back({"exact", "blue", hung_on_highest(K, phi0, of_a_swing, last)});
   std::vector<Body> bodies;
   std::vector<std::string> columns{"t"};
   for(const Way& way : ways)
@@ -203,13 +174,13 @@ TELL
   for(const Way& way : ways)
     bodies.push_back(drawn::bob({way.name + "_x", way.name + "_y"}, 0.025, way.colour));
   scene("three", bodies, columns, [&](Curve& frames) {
-    for(int i = 0; i <= swings * of_a_swing; ++i)
+    for(int i = 0; i <= last; ++i)
     {
       std::vector<double> row{unit * T * i / of_a_swing};
       for(const Way& way : ways)
       {
-        const auto place = way.at(i);
-        row.insert(row.end(), place.begin(), place.end());
+        const Hung& now = way.at.at(static_cast<std::size_t>(i));
+        row.insert(row.end(), {now.phi, now.G_x, now.G_y + 1});
       }
       frames.put(row);
     }
@@ -301,23 +272,6 @@ CHECK_THAT("arc, height and breadth told are the sums of r dφ, of r dφ sin φ 
   }
 }
 
-Fifty height_on_exact(const Fifty& r, const Fifty& to)  // the first integral of the flow
-{
-  const Fifty kk = pow(K.fifty(), 2);
-  return (1 + kk) / 2 * pow(r * sin(to), 2) / (kk + r * r);
-}
-
-Fifty breadth_on_exact(const Fifty& to)  // ∫ r dφ cos φ, followed down the equation of §25 with r
-{
-  const Fifty near("1e-7"), ratio = K.fifty();
-  if(to < near)
-    return to;
-  const auto down = [&](const Fifty& x, const exact::State& y) -> exact::State {
-    return {slope<Fifty>(x, y[0], ratio), y[0] * cos(x)};
-  };
-  return near - exact::solve(down, to, {highest(ratio, to), 0}, near, Fifty("1e-16")).y[1];
-}
-
 CHECK_THAT("Huygens's body and Euler's move as their equations of motion say, on their curves")
 {
   for(const Told& now : told_at("", "K=0.1 phi0=60 a=2", "K=0.7 phi0=15 g=1", "K=0.3 phi0=60"))
@@ -353,22 +307,16 @@ CHECK_THAT("the third body is on the exact curve, and the root of its height is 
 {
   for(const Told& now : told_at("", "K=0.1 phi0=60 a=2", "K=0.7 phi0=15 g=1"))
   {
-    const Fifty ratio = K.fifty(), kk = ratio * ratio, start = phi0.fifty();
-    const Fifty T = exact::pi() * sqrt((1 + kk) * a.fifty() / (2 * g.fifty()));
-    const Fifty root = sqrt(height_on_exact(highest(ratio, start), start));
+    const Fifty T = exact::pi() * sqrt((1 + pow(K.fifty(), 2)) * a.fifty() / (2 * g.fifty()));
     for(const auto& frame : now.points("three", 4))
     {
-      const Fifty t = frame.at("t"), cosine_of_t = cos(exact::pi() * t / T), here = frame.at("exact_phi");
-      const Fifty to = abs(here), r = to > 1e-10 ? highest(ratio, to) : Fifty(1);
-      const Fifty off = sqrt(height_on_exact(r, to)) - abs(root * cosine_of_t);
-      const Fifty right = to - off * sqrt(2 * (1 + kk) / (kk + r * r));
-      const Fifty side = cosine_of_t < 0 ? -1 : 1;
+      const On_highest right =
+          on_highest(K.fifty(), phi0.fifty(), Fifty(frame.at("t")) / T, Fifty(frame.at("exact_phi")));
+      const char* const why = "the curve's error below 1e-13, and that the time is rounded";
       CHECK(frame.value("t") == between(0, 10.0001 * T, "ten swings"));
-      CHECK(frame.value("exact_phi")
-            == within(side * right, 1e-12, "the curve's error below 1e-13, and roots"));
-      CHECK(frame.value("exact_y")
-            == within(pow(root * cosine_of_t, 2), 1e-12, "the same, and that the time is rounded"));
-      CHECK(frame.value("exact_x") == within(side * breadth_on_exact(to), 1e-12, "the same"));
+      CHECK(frame.value("exact_phi") == within(right.phi, 1e-12, why));
+      CHECK(frame.value("exact_y") == within(right.x, 1e-12, why));
+      CHECK(frame.value("exact_x") == within(right.y, 1e-12, why));
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "edition/scene.hpp"
 #include "tautochrone/euler.hpp"
+#include "tautochrone/member.hpp"
 #include "tautochrone/thread.hpp"
 
 #include <algorithm>
@@ -106,6 +107,53 @@ double Timed_swing::angle(double t) const
     further += (left - *(next - 1) - between(start, further)) / element(start + further);
   const double phi = 2 * std::asin(half_sine_ * std::cos(start + further));
   return which == 0 || which == 3 ? phi : -phi;
+}
+
+std::vector<Hung> hung_between(Cheeks cheeks, double k, double phi0, int n, int last)
+{
+  if(cheeks != Cheeks::cycloids && cheeks != Cheeks::euler_k4)
+    throw std::domain_error("a scene is of cycloids or of Euler's cheeks");
+  const Timed_swing swing(cheeks, k, phi0);
+  const double T = small_swing(k);
+  std::vector<Hung> result;
+  for(int i = 0; i <= last; ++i)
+  {
+    const double phi = swing.angle(T * i / n);
+    const Places at = places_at(cheeks == Cheeks::cycloids ? 0 : k, phi);
+    result.push_back({phi, at.M_x, at.M_y, at.G_x, at.G_y});
+  }
+  return result;
+}
+
+std::vector<Hung> hung_on_highest(double k, double phi0, int n, int last)
+{
+  if(!(n > 0 && n % 2 == 0 && k >= 0.02 && k <= 0.9 && phi0 >= 1e-3))
+    throw std::domain_error(
+        "a scene on the exact curve needs 0.02 ≤ k/a ≤ 0.9 and an angle of 0.001 or more");
+  const double root = std::sqrt(at(Member::highest, k, phi0).x);
+  std::vector<double> angles(static_cast<std::size_t>(n / 2 + 1));  // at even times, from the lowest place
+  angles.back() = phi0;
+  double guess = phi0;
+  for(std::size_t i = angles.size() - 2; i > 0; --i)
+  {
+    const double wanted = root * std::sin(std::numbers::pi * static_cast<double>(i) / n);
+    for(int step = 0; step < 5; ++step)
+    {
+      const Position now = at(Member::highest, k, guess);
+      guess -= (std::sqrt(now.x) - wanted) * 2 * std::sqrt(now.x) / (now.r * std::sin(guess));
+    }
+    angles[i] = guess;
+  }
+  const std::vector<Drawn> quarter = drawn(Member::highest, k, angles);
+  std::vector<Hung> result;
+  for(int i = 0; i <= last; ++i)
+  {
+    const int left = n / 2 - i % n;  // steps to the lowest place
+    const Drawn& now = quarter.at(static_cast<std::size_t>(std::abs(left)));
+    const double side = (i / n % 2 == 0) == (left >= 0) ? 1 : -1;
+    result.push_back({side * now.at.phi, side * now.q, -now.p, side * now.y, now.at.x - 1});
+  }
+  return result;
 }
 
 double clock_in_seconds(double a, double g)

@@ -53,4 +53,28 @@ double clock_in_seconds(double a, double g);
  */
 void scene_between_cheeks(const char* name, Cheeks cheeks, double k, double phi0, double unit);
 
+/// A thread on its cheek and the body on it, from A, to the right and upwards.
+struct Hung
+{
+  double phi;  ///< the angle of the free part with the vertical, positive to the right
+  double M_x;  ///< where the thread leaves the cheek
+  double M_y;  ///< where the thread leaves the cheek
+  double G_x;  ///< the centre of gravity
+  double G_y;  ///< the centre of gravity
+};
+
+/**
+ * A body that is let go at rest at φ₀ between cycloids or Euler's cheeks with both corrections, at the times
+ * i T₀/n for i = 0 to `last`, T₀ = small_swing(k). Angles as Timed_swing::angle(), places to 1e-14.
+ * @throws std::domain_error as Timed_swing, and for other cheeks
+ */
+std::vector<Hung> hung_between(Cheeks cheeks, double k, double phi0, int n, int last);
+
+/**
+ * The same between the cheeks of the highest exact tautochrone (see member.hpp), where the root of the height
+ * goes as the cosine of the time. Angles and places to 1e-12.
+ * @throws std::domain_error unless n is even and positive, 0.02 ≤ k ≤ 0.9 and 1e-3 ≤ φ₀ ≤ the curve's end
+ */
+std::vector<Hung> hung_on_highest(double k, double phi0, int n, int last);
+
 }  // namespace tautochrone

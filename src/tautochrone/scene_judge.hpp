@@ -4,8 +4,10 @@
  * the curve's own integrals, all in fifty digits.
  */
 #include "edition/told.hpp"
+#include "exact/ode.hpp"
 #include "exact/quadrature.hpp"
 #include "tautochrone/cheeks.hpp"
+#include "tautochrone/curve.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
 
@@ -61,6 +63,51 @@ inline std::vector<Judged_frame> judged(const std::vector<edition::ToldRow>& fra
     result.push_back(frame);
   }
   return result;
+}
+
+/// Where a body is on the highest exact tautochrone, in fifty digits; a = 1.
+struct On_highest
+{
+  exact::Fifty phi;  ///< the angle of the thread, positive to the right
+  exact::Fifty r;    ///< what of the thread is free
+  exact::Fifty x;    ///< the height above the lowest place
+  exact::Fifty y;    ///< how far it is to the right
+};
+
+/// That place, so many swings after the body was let go at φ₀, where the root of the height is a cosine of the
+/// time; found from an angle that is right to 1e-9. Good to 1e-15. Domain: 0.02 ≤ k ≤ 0.9, φ₀ ≤ the end.
+inline On_highest on_highest(const exact::Fifty& k, const exact::Fifty& phi0, const exact::Fifty& swings,
+                             const exact::Fifty& near)
+{
+  using exact::Fifty;
+  const Fifty kk = k * k, lowest("1e-9");
+  const auto radius_at = [&](const Fifty& to) { return to > lowest ? highest(k, to) : Fifty(1); };
+  const auto root = [&](const Fifty& r, const Fifty& to) -> Fifty {  // of the height, by (2) of §25
+    return sqrt((1 + kk) / 2 / (kk + r * r)) * r * sin(to);
+  };
+  const Fifty cosine_of_t = cos(exact::pi() * swings),
+              wanted = root(highest(k, phi0), phi0) * abs(cosine_of_t);
+  Fifty to = abs(near);
+  const Fifty r = radius_at(to);
+  to -= (root(r, to) - wanted) * sqrt(2 * (1 + kk) / (kk + r * r));
+  if(to > phi0)
+    to = phi0;
+  On_highest place{to, radius_at(to), wanted * wanted, to};
+  const Fifty low("1e-13");
+  if(to > low)  // the breadth is followed down the equation with r
+    place.y = low
+              - exact::solve(
+                    [&](const Fifty& phi, const exact::State& at) -> exact::State {
+                      return {slope<Fifty>(phi, at[0], k), at[0] * cos(phi)};
+                    },
+                    to, {place.r, 0}, low, Fifty("1e-16"))
+                    .y[1];
+  if(cosine_of_t < 0)
+  {
+    place.phi = -place.phi;
+    place.y = -place.y;
+  }
+  return place;
 }
 
 }  // namespace tautochrone
