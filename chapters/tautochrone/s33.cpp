@@ -1,8 +1,12 @@
+#include "edition/scene.hpp"
 #include "edition/section.hpp"
 #include "exact/quadrature.hpp"
 #include "tautochrone/asked.hpp"
 #include "tautochrone/curve.hpp"
 #include "tautochrone/euler.hpp"
+#include "tautochrone/member.hpp"
+#include "tautochrone/scene.hpp"
+#include "tautochrone/scene_judge.hpp"
 #include "tautochrone/series.hpp"
 
 SECTION(tautochrone, 33, "The cheek: its arc, and how it is bent")
@@ -65,6 +69,11 @@ double dq_over_dphi(double a, double k, double phi)  // (5)
   return euler_ds<double>(a, k, phi) * std::sin(phi);
 }
 
+double first_end(double ratio)  // of Euler's cheek and the exact one, in radians
+{
+  return std::min(largest_amplitude(Cheeks::euler_k4, ratio), end(Member::highest, ratio).phi);
+}
+
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
 const auto k = real("k", 0.1, metres, scale, "radius of gyration");
 const auto phi = angle("phi", 15_deg, closed(0_deg, 85_deg),
@@ -111,6 +120,95 @@ above 50 degrees and falls to zero at 71 degrees.
 How the cheek is bent, $k = \tfrac1{10}a$: its radius of curvature. Euler's cheek gets flatter as far as it
 goes. That which belongs to the highest exact tautochrone is flattest between 50° and 60°, and ends at 71° in
 a second cusp, where $ds = 0$.
+:::
+
+What the cheeks are for, a scene shows, with a body large enough that they differ to the eye. Three equal
+bodies hang from one point, $k = K a$, and are let go together where the thread is inclined by $\varphi_0$:
+one between Huygens's cheeks, one between Euler's, one between those of the highest exact tautochrone.
+*/
+
+const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second, half of today's g");
+const auto K = real("K", 0.3, none, closed(0.02, 0.9), "k/a of the three bodies of the scene");
+const auto phi0 = angle(
+    "phi0",
+    at_most(40_deg, "nine tenths of where the first of the cheeks ends", [] { return 0.9 * first_end(K); }),
+    closed(1_deg, 80_deg), "angle at which they are let go");
+
+constexpr int of_a_swing = 60, last = 6 * of_a_swing;  // frames
+
+struct Way  ///< one of the three
+{
+  const char* name;
+  const char* colour;
+  std::vector<Hung> (*frames)();
+};
+
+constexpr Way ways[]{
+    {"huygens", "green", [] { return hung_between(Cheeks::cycloids, K, phi0, of_a_swing, last); }},
+    {"euler", "vermilion", [] { return hung_between(Cheeks::euler_k4, K, phi0, of_a_swing, last); }},
+    {"exact", "blue", [] { return hung_on_highest(K, phi0, of_a_swing, last); }}};
+
+Body cheek(const std::vector<Hung>& frames,
+           const char* colour)  // the two, as far as the thread lies on them
+{
+  int first = 0;  // of the frames, on the other side
+  while(frames.at(std::size_t(first)).phi > 0)
+    ++first;
+  std::vector<Spot> joints;
+  for(int i = -first; i <= first; ++i)
+  {
+    const Hung& now = frames[std::size_t(first - std::abs(i))];
+    const double x = i == 0 ? 0 : i < 0 ? -now.M_x : now.M_x, y = i == 0 ? 0 : now.M_y;
+    joints.push_back({x, y});
+  }
+  return drawn::rod(joints, colour);
+}
+
+TELL
+{
+  require(phi0 < first_end(K), "phi0", "less than where the first of the cheeks ends");
+  tell("wound_huygens", euler_s<double>(1, 0, phi0), "AM : a on Huygens's cheek, where they are let go");
+  tell("wound_euler", euler_s<double>(1, K, phi0), "the same on Euler's");
+  tell("wound_exact", at(Member::highest, K, phi0).s, "the same on the exact one");
+  const double T = small_swing(K), unit = clock_in_seconds(a, g);
+  std::vector<std::vector<Hung>> frames_of;
+  std::vector<Body> bodies;
+  std::vector<std::string> columns{"t"};
+  for(const Way& way : ways)
+  {
+    frames_of.push_back(way.frames());
+    bodies.push_back(cheek(frames_of.back(), way.colour));
+  }
+  for(const Way& way : ways)
+  {
+    const std::string name = way.name;
+    const Spot M{name + "_M_x", name + "_M_y"}, G{name + "_G_x", name + "_G_y"};
+    bodies.push_back(drawn::rod({M, G}, way.colour));
+    bodies.push_back(drawn::bob(G, 0.03, way.colour));
+    columns.insert(columns.end(),
+                   {name + "_phi", name + "_M_x", name + "_M_y", name + "_G_x", name + "_G_y"});
+  }
+  scene("wound", bodies, columns, [&](Curve& out) {
+    for(std::size_t i = 0; i <= std::size_t{last}; ++i)
+    {
+      std::vector<double> row{unit * T * double(i) / of_a_swing};
+      for(const auto& frames : frames_of)
+        row.insert(row.end(), {frames[i].phi, frames[i].M_x, frames[i].M_y, frames[i].G_x, frames[i].G_y});
+      out.put(row);
+    }
+  });
+}
+
+/*!
+::: scene wound
+alt: From one point hang three pairs of short cheeks that differ little, like nested beaks. Three threads lie
+on the right ones and go down, straight, to three bobs close to each other.
+
+Six swings in true time: blue between the exact cheeks, green between Huygens's, red between Euler's. Each
+cheek is drawn as far as its thread comes to lie on it. Let go at {{phi0|deg0}}, with $K = {{K}}$, on
+Huygens's cheek lie {{wound_huygens|3}} of the thread, on Euler's {{wound_euler|3}}, on the exact one
+{{wound_exact|3}}. That the free part becomes shorter makes up for the time that the turning of the body
+costs in a wide swing. At 10° Euler's cheek takes up less than the exact one, at 40° more.
 :::
 
 ## Checks
@@ -195,6 +293,81 @@ CHECK_THAT("in the figure the exact cheek's bend is the slope of the exact radiu
                 sin(x) * (1 + kk + 3 * kk * e4 - 30 * kk * kk * e4 / (c * c) + 42 * kk * kk * e4 * e4),
                 2e-14, "the library's bound"));
     }
+  }
+}
+
+CHECK_THAT(
+    "in the scene Huygens's body and Euler's move as their equation of motion says, on threads of the "
+    "length a")
+{
+  for(const Told& now : told_at("", "K=0.1 phi0=60 a=2", "K=0.6 g=1", "K=0.9"))
+  {
+    const Fifty unit = sqrt(a.fifty() / g.fifty()) / 2, ratio = K.fifty(), start = phi0.fifty();
+    const auto frames = now.points("wound", 7);
+    std::vector<Fifty> times;
+    for(const auto& frame : frames)
+      times.push_back(frame.at("t") / unit);
+    CHECK(now.value("wound_huygens") == within_relative(1 - cos(start), 2e-15, "a square"));
+    CHECK(now.value("wound_euler")
+          == within_relative(1 - truncated(2, ratio)(cos(start)), 2e-14, "the bound"));
+    for(const std::string name : {"huygens", "euler"})
+    {
+      const auto r = truncated(name == "euler" ? 2 : 0, ratio);
+      const auto angles = angles_by_motion(r, ratio, start, times);
+      for(std::size_t i{0}; i < frames.size(); ++i)
+      {
+        const Fifty& x = angles[i];
+        const auto along = [&](const Fifty& y) -> Fifty { return r(cos(y)) * cos(y); };
+        const auto upward = [&](const Fifty& y) -> Fifty { return r(cos(y)) * sin(y); };
+        const Fifty aside = exact::integrate(along, 0, x).value, up = exact::integrate(upward, 0, x).value;
+        const double slack = 1e-13 * (1 + double(ratio));
+        const char* const why = "six swings, and the clock's bound at each";
+        const auto is = [&](const char* column, const Fifty& right) {
+          CHECK(frames[i].value((name + column).c_str()) == within(right, slack, why));
+        };
+        is("_phi", x);
+        is("_M_x", aside - r(cos(x)) * sin(x));
+        is("_M_y", up - 1 + r(cos(x)) * cos(x));
+        is("_G_x", aside);
+        is("_G_y", up - 1);
+      }
+    }
+  }
+}
+
+CHECK_THAT("the third body is on the exact curve where the cosine of the time has it, and its cheek is the "
+           "evolute")
+{
+  for(const Told& now : told_at("", "K=0.1 phi0=60 a=2", "K=0.6 g=1", "K=0.9"))
+  {
+    const Fifty T = exact::pi() * sqrt((1 + pow(K.fifty(), 2)) * a.fifty() / (2 * g.fifty()));
+    CHECK(now.value("wound_exact")
+          == within_relative(1 - highest(K.fifty(), phi0.fifty()), 1e-13, "the library's bound"));
+    for(const auto& frame : now.points("wound", 5))
+    {
+      const On_highest right =
+          on_highest(K.fifty(), phi0.fifty(), Fifty(frame.at("t")) / T, Fifty(frame.at("exact_phi")));
+      const char* const why = "the curve's error below 1e-13, and that the time is rounded";
+      CHECK(frame.value("t") == between(0, 6.0001 * T, "six swings"));
+      CHECK(frame.value("exact_phi") == within(right.phi, 1e-12, why));
+      CHECK(frame.value("exact_G_x") == within(right.y, 1e-12, why));
+      CHECK(frame.value("exact_G_y") == within(right.x - 1, 1e-12, why));
+      CHECK(frame.value("exact_M_x") == within(right.y - right.r * sin(right.phi), 1e-12, why));
+      CHECK(frame.value("exact_M_y") == within(right.x - 1 + right.r * cos(right.phi), 1e-12, why));
+    }
+  }
+}
+
+CHECK_THAT(
+    "Euler's cheek takes up more of the thread than Huygens's, at 10° less than the exact one, at 40° more")
+{
+  for(const Told& now : told_at("", "phi0=10"))
+  {
+    const double more = phi0 > 0.5 ? 1 : -1;
+    const Fifty c = cos(phi0.fifty()), euler = 1 - truncated(2, K.fifty())(c),
+                exact_ = 1 - highest(K.fifty(), phi0.fifty());
+    CHECK(now.value("wound_euler") == between(1 - c, 1, "his corrections are positive"));
+    CHECK((euler - exact_) * more > Fifty("1e-6"));
   }
 }
 
