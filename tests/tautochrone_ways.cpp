@@ -51,6 +51,11 @@ TEST_CASE(
     CHECK(error(follow(k, last.phi, last.r, phi, 1e-13, Stepper::runge_kutta), exactly) < 1e-12);
     CHECK(error(follow(k, last.phi, last.r, phi, 1e-8, Stepper::gear), exactly) < 1e-5);
     CHECK(error(follow(k, last.phi, last.r, phi, 1e-10, Stepper::adams), exactly) < 1e-7);
+    CHECK(error(follow(k, last.phi, last.r, phi, 1e-12, Stepper::bulirsch_stoer), exactly) < 1e-11);
+    const std::vector<double> angles{0.9 * last.phi, 0.5 * last.phi, phi};
+    const std::vector<double> all = follow(k, last.phi, last.r, angles, 1e-13, Stepper::runge_kutta);
+    for(std::size_t i = 0; i < angles.size(); ++i)
+      CHECK(error(all[i], at(Member::highest, k, angles[i]).r) < 1e-12);
   }
 }
 
@@ -92,6 +97,8 @@ TEST_CASE("nonsense is answered by no number")
   CHECK(std::isnan(follow(1.5, 0.5, 1, 0.2, 1e-10, Stepper::runge_kutta)));
   CHECK(std::isnan(follow(0.3, 0.5, 0.5, 0, 1e-10, Stepper::runge_kutta)));
   CHECK(std::isnan(follow(0.3, 0.5, 0.5, 0.2, 0, Stepper::gear)));
+  CHECK(std::isnan(follow(0.3, 0.5, 0.5, {0.4, 2}, 1e-10, Stepper::adams)[0]));
+  CHECK(follow(0.3, 0.5, 0.5, std::vector<double>{}, 1e-10, Stepper::adams).empty());
   CHECK(std::isnan(collocation(0.3, 0.5, {}, 1, {0.1})[0]));
   CHECK(std::isnan(collocation(0.0, 0.5, {}, 8, {0.1})[0]));
 }

@@ -51,19 +51,33 @@ int derivatives(double at, const double r[], double by_r[], double by_phi[], voi
 
 double follow(double k, double from, double r, double to, double tolerance, Stepper stepper)
 {
+  return follow(k, from, r, std::vector{to}, tolerance, stepper)[0];
+}
+
+std::vector<double> follow(double k, double from, double r, const std::vector<double>& to, double tolerance,
+                           Stepper stepper)
+{
   const auto angle = [](double phi) { return phi > 0 && phi < std::numbers::pi / 2; };
-  if(!(k > 0 && k < 1 && angle(from) && angle(to) && r > 0 && tolerance >= 1e-15 && tolerance <= 0.1))
-    return nan;
+  std::vector<double> result(to.size(), nan);
+  if(!(k > 0 && k < 1 && angle(from) && r > 0 && tolerance >= 1e-15 && tolerance <= 0.1)
+     || !std::all_of(to.begin(), to.end(), angle) || to.empty())
+    return result;
   gsl_odeiv2_system system{right_side, derivatives, 1, &k};
   const gsl_odeiv2_step_type* types[] = {gsl_odeiv2_step_rk8pd, gsl_odeiv2_step_msadams,
-                                         gsl_odeiv2_step_msbdf};
+                                         gsl_odeiv2_step_msbdf, gsl_odeiv2_step_bsimp};
   const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
       gsl_odeiv2_driver_alloc_y_new(&system, types[static_cast<int>(stepper)],
-                                    std::copysign(1e-3 * from, to - from), tolerance, 0),
+                                    std::copysign(1e-3 * from, to.front() - from), tolerance, 0),
       gsl_odeiv2_driver_free);
   gsl_odeiv2_driver_set_nmax(driver.get(), 200'000);
-  const int status = gsl_odeiv2_driver_apply(driver.get(), &from, to, &r);
-  return status == GSL_SUCCESS && std::isfinite(r) ? r : nan;
+  for(std::size_t i = 0; i < to.size(); ++i)
+  {
+    const int status = gsl_odeiv2_driver_apply(driver.get(), &from, to[i], &r);
+    if(status != GSL_SUCCESS || !std::isfinite(r))
+      break;
+    result[i] = r;
+  }
+  return result;
 }
 
 std::vector<double> collocation(double k, double phi1, std::optional<double> r1, int n,

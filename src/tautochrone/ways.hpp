@@ -15,9 +15,10 @@ namespace tautochrone
 /// Which of GSL's integrators.
 enum class Stepper
 {
-  runge_kutta,  ///< the explicit pair of the eighth order by Prince and Dormand
-  adams,        ///< Adams's method of variable order
-  gear          ///< the backward differentiation formulae of variable order, for stiff equations
+  runge_kutta,     ///< the explicit pair of the eighth order by Prince and Dormand
+  adams,           ///< Adams's method of variable order
+  gear,            ///< the backward differentiation formulae of variable order, for stiff equations
+  bulirsch_stoer,  ///< Bulirsch's and Stoer's extrapolation, by Bader's and Deuflhard's implicit rule
 };
 
 /**
@@ -29,6 +30,10 @@ enum class Stepper
  * tolerance ≤ 0.1. NaN elsewhere, and where 200 000 steps are not enough.
  */
 double follow(double k, double from, double r, double to, double tolerance, Stepper stepper);
+
+/// The same at several angles, each reached from the one before; NaN from the first on that is not.
+std::vector<double> follow(double k, double from, double r, const std::vector<double>& to, double tolerance,
+                           Stepper stepper);
 
 /**
  * r at several angles from a polynomial in φφ of the degree n that satisfies the equation at n + 1
