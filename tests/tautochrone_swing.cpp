@@ -7,6 +7,7 @@
 #include "tautochrone/euler.hpp"
 #include "tautochrone/mechanism.hpp"
 #include "tautochrone/path.hpp"
+#include "tautochrone/scene.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
 #include "tautochrone/thread.hpp"
@@ -488,4 +489,64 @@ TEST_CASE("a body on any curve that is a polynomial in 1 − cos φ: the same ex
   CHECK_THROWS_AS(Mechanism(1, Polynomial(1) - h).excess(1.6), std::domain_error);
   CHECK_THROWS_AS(Mechanism(h, 1), std::domain_error);
   CHECK_THROWS_AS(Mechanism(1, Polynomial(Fifty(1), -1) + Polynomial(1)), std::domain_error);
+}
+
+TEST_CASE("where a swing is at a time: as its equation of motion says, wide and near the end of its curve")
+{
+  struct Scene
+  {
+    Cheeks cheeks;
+    int order;  // of the curve's series; -1: a circle
+    double k, phi0;
+  };
+  const double last = largest_amplitude(Cheeks::euler_k4, 0.3);
+  for(const Scene& now :
+      {Scene{Cheeks::none, -1, 0, 1.5}, Scene{Cheeks::cycloids, 0, 0, 1.5},
+       Scene{Cheeks::cycloids, 0, 5, 0.7}, Scene{Cheeks::euler_kk, 1, 0.3, 0.5},
+       Scene{Cheeks::euler_k4, 2, 0.02, 1.2}, Scene{Cheeks::euler_k4, 2, 0.3, 0.99 * last}})
+  {
+    const Fifty k = now.k, phi0 = now.phi0;
+    const Laurent<Fifty> r = now.order < 0 ? Laurent<Fifty>(Fifty(1)) : truncated(now.order, k);
+    const Timed_swing swing(now.cheeks, now.k, now.phi0);
+    CHECK(
+        swing.time()
+        == within_relative(pi() * sqrt(2 * (1 + k * k)) * (1 + excess(r, k, phi0)), 5e-15, "the header's"));
+    const double fastest =
+        std::sqrt(turning2(on_cheeks<double>(now.cheeks, now.k, now.phi0, 0), now.k)) * swing.time();
+    std::vector<Fifty> times;
+    for(const double part : {1e-9, 0.13, 0.499, 0.5, 0.87, 1.0, 1.7, 2.0, 3.3})
+      times.emplace_back(part * swing.time());
+    const std::vector<Fifty> angles = angles_by_motion(r, k, phi0, times);
+    for(std::size_t i = 0; i < times.size(); ++i)
+      CHECK(swing.angle(static_cast<double>(times[i]))
+            == within(angles[i], 1e-14 * fastest * (1 + static_cast<double>(times[i]) / swing.time()),
+                      "the header's"));
+  }
+}
+
+TEST_CASE("where the smallest swings are at a time is a cosine; and what is no swing is refused")
+{
+  for(const double phi0 : {1e-9, 1e-150, 1e-300})
+    for(const double k : {0.0, 0.3, 1e20})
+    {
+      const Timed_swing swing(Cheeks::cycloids, k, phi0);
+      CHECK(swing.time() == within_relative(small_swing(k), 5e-15, "the header's"));
+      CHECK(swing.angle(0) == within_relative(phi0, 1e-15, "a sine and its arc"));
+      for(const double part : {0.1, 1.0 / 3, 0.9, 1.5, 7.75})
+        CHECK(swing.angle(part * swing.time())
+              == within(phi0 * cos(pi() * Fifty(part)), 4e-14 * phi0 * (1 + part),
+                        "the header's, π φ₀ the fastest"));
+    }
+  CHECK(Timed_swing(Cheeks::cycloids, 0.3, 5e-324).angle(1)
+        == within(0, 5e-324, "there is nothing smaller"));
+  const double half_pi = std::numbers::pi / 2, nan = std::nan("");
+  for(const double phi0 : {0.0, -0.1, half_pi, nan})
+    CHECK_THROWS_AS(Timed_swing(Cheeks::cycloids, 0.1, phi0), std::domain_error);
+  for(const double k : {-0.1, 2e20, nan})
+    CHECK_THROWS_AS(Timed_swing(Cheeks::cycloids, k, 0.1), std::domain_error);
+  CHECK_THROWS_AS(Timed_swing(Cheeks::euler_k4, 0.3, largest_amplitude(Cheeks::euler_k4, 0.3)),
+                  std::domain_error);
+  CHECK_THROWS_AS(hung_between(Cheeks::none, 0.3, 0.1, 4, 4), std::domain_error);
+  CHECK_THROWS_AS(hung_on_highest(0.3, 0.1, 5, 5), std::domain_error);
+  CHECK_THROWS_AS(hung_on_highest(0.3, 1.2, 6, 6), std::domain_error);
 }
