@@ -59,9 +59,12 @@ cycloids, 2 and 3 for Euler's.
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
 const auto k = real("k", 0.3, metres, scale, "radius of gyration");
 const auto cheeks = integer("cheeks", 1, 0, 3, "0 none, 1 cycloids, 2 Euler's with k², 3 with k⁴");
-const auto phi0 =
-    angle("phi0", 70_deg, closed(1e-7_deg, 89_deg), "how far the pendulum swings to either side");
-const auto phi = angle("phi", 60_deg, closed(0_deg, 89_deg), "angle of the free part with the vertical");
+const auto phi0 = angle("phi0",
+                        at_most(70_deg, "nine tenths of where the thread is all wound",
+                                [] { return ample(Cheeks(int(cheeks)), k / a); }),
+                        closed(1e-7_deg, 89_deg), "how far the pendulum swings to either side");
+const auto phi = angle("phi", at_most(60_deg, "phi0", [] { return phi0.fifty(); }), closed(0_deg, 89_deg),
+                       "angle of the free part with the vertical");
 
 double part_of_fall(double ratio, double r)  // MG : MH, (5)
 {
@@ -259,5 +262,31 @@ CHECK_THAT("on the highest tautochrone, whose radius comes from its slope, v is 
     const Fifty height = sum * x / 120;
     CHECK(r * r / (K * K + r * r)
           == within_relative(2 * height / ((1 + K * K) * pow(sin(x), 2)), 1e-5, "Simpson's rule"));
+  }
+}
+
+/*!
+## Go on from here
+
+::: exercise
+A body passes the lowest place with the speed that is due to the height $b$. Does it depend on the cheeks how
+high it rises?
+
+answer: No: {{eq 3}} knows nothing of them, the height is $c = b\cdot AD : AC$ on an axis, between cycloids
+and between Euler's cheeks (`--cheeks 0` to `--cheeks 3`). The *angle* to which it swings does depend on them,
+and the time.
+:::
+*/
+
+CHECK_THAT(
+    "on an axis and between all cheeks the height of the rise is that of the first speed times AD : AC")
+{
+  for(const Told& now : told_at("cheeks=0", "cheeks=1", "cheeks=2", "cheeks=3", "cheeks=2 k=0.2 phi0=30"))
+  {
+    const Fifty kk = pow(k.fifty() / a.fifty(), 2);
+    const auto radius = radius_on(cheeks, k.fifty() / a.fifty()), height = integral(radius);
+    const Fifty c = a.fifty() * (height(Fifty(1)) - height(cos(phi0.fifty())));
+    CHECK(now.value("c", metres) == within_relative(c, 5e-14, "the library's bound"));
+    CHECK(now.value("b", metres) == within_relative(c / (1 + kk), 5e-14, "the same"));
   }
 }

@@ -95,7 +95,7 @@ alt: The time of a swing against the height of its rise, the latter logarithmic.
 one half is level; those for greater powers rise, that for a smaller one falls.
 
 The time of a swing, over $\sqrt a$ of Euler's clock, where the arc goes as the power $p$ of the height.
-Only for $p = \tfrac12$ are all swings equal; $p = 1$ is a straight incline.
+Only for $p = \tfrac12$ are all swings equal; $p = 1$ is a free fall and its reversal.
 :::
 
 ## Checks
@@ -157,4 +157,25 @@ CHECK_THAT(
       for(const auto& [name, power] : {std::pair{"p40", 0.4}, {"p50", 0.5}, {"p60", 0.6}, {"p100", 1.0}})
         CHECK(point.value(name)
               == within_relative(integral_1(power, point.at("c")), 8e-16, "six roundings"));
+}
+
+/*!
+## Go on from here
+
+::: exercise
+What motion is it for $p = 1$? Find its time without {{eq A}}.
+
+answer: The arc is then the height: both branches of the curve are plumb, and the bob falls freely from the
+height $c$ and is thrown up again as high. A fall from $c$ takes $\sqrt{c : g}$ seconds, as $g$ is the height
+fallen in the first; the swing takes twice that. `--p 1` tells 0.28562 s, `--p 1 --c 0.4` the double.
+:::
+*/
+
+CHECK_THAT("for p = 1 the swing is a free fall and its reversal, which takes 2√(c : g)")
+{
+  for(const Told& now : told_at("p=1", "p=1 c=0.4", "p=1 c=1e-50 a=3 g=2"))
+    CHECK(now.value("T_p", seconds)
+          == within_relative(2 * sqrt(c.fifty() / g.fifty()), 3e-14, "two Gammas, a power"));
+  for(const Told& now : told_at("p=1"))
+    CHECK(now.value("T_p", seconds) == within(0.28562, 0.000005, "five digits"));
 }

@@ -256,3 +256,30 @@ const Emendation under_the_root{
     [](double side) {
       return side == within_ulps(sqrt(Fifty(0.09) + 4) / sqrt(Fifty(2) * 2 * Fifty(0.1)), 8, "roots");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+Put $X = 1 - \alpha S^2$ into {{eq A}}, for small $S$ and $a = 1$. Which curves are there?
+
+answer: $4\varepsilon^2\alpha^2 - 2\alpha + 1 = 0$, where $\varepsilon = k : f$, has two roots,
+$\alpha = \tfrac12(1 + kk)$ and $\alpha = \tfrac12(1 + kk) : kk$. As $r = f : 2\alpha$ in the lowest place,
+the first curve has there $r = a$, as it should; the other $r = kk : a$, which is the pendulum turned over
+({{sec tautochrone.23}}).
+:::
+*/
+
+CHECK_THAT("(A) begins with two curves, whose radii in the lowest place are a and kk : a; the one told is "
+           "the first")
+{
+  for(const Rational& kk : {Rational(9, 4), Rational(1, 9), Rational(3, 7)})
+    for(const Rational& alpha : {(1 + kk) / 2, (1 + kk) / (2 * kk)})
+    {
+      const Rational f = 1 + kk;
+      CHECK(4 * (kk / (f * f)) * alpha * alpha - 2 * alpha + 1 == Rational(0));
+      CHECK((f / (2 * alpha) == Rational(1) || f / (2 * alpha) == kk));
+    }
+  for(const Told& now : told_at("S=1e-6", "S=1e-6 k=0.5 a=1"))
+    CHECK(now.value("r_S", metres) == within_relative(1, 1e-9, "the square of S"));
+}

@@ -273,3 +273,36 @@ const Emendation of_the_fourth{
     {"6aak⁴PP", [] { return power_through_k4(4, 6, 2, 4); }},
     "it is the fourth power of a cos φ + kkP through k⁴",
     [](double fourth) { return fourth == 16 + 4 * 8 * 0.75 + 6 * 4 * 0.75 * 0.75; }};
+
+/*!
+## Go on from here
+
+::: exercise
+How many corrections are best at 60°, if by the best is meant what leaves the least of {{eq 1}}? Take
+$k = \tfrac1{10}a$.
+
+answer: One. `--phi 60 --n 1` leaves 0.0067, a cosine alone 0.0095, two corrections 0.0121, and from then on
+each makes it worse; twelve leave $1.4\cdot10^{19}$. At 30° six are better than three: how far the series
+helps hangs on the angle ({{sec tautochrone.30}}).
+:::
+*/
+
+CHECK_THAT("at 60° one correction leaves least of (1), and more and more leave the more; at 30° six leave "
+           "less than "
+           "three")
+{
+  double before = 0;
+  for(int kept = 1; kept <= 12; ++kept)
+  {
+    const double left = std::abs(double(left_side(kept, Fifty("0.1"), exact::pi() / 3)));
+    CHECK(left > before);
+    before = left;
+  }
+  CHECK(before == within_relative(1.4e19, 0.02, "two digits"));
+  for(const auto& [setting, left] :
+      {std::pair{"phi=60 n=0", 0.0095}, {"phi=60 n=1", 0.0067}, {"phi=60 n=2", 0.0121}})
+    for(const Told& now : told_at(setting))
+      CHECK(now.value("left") == within(left, 0.00005, "two digits"));
+  CHECK(abs(left_side(6, Fifty("0.1"), exact::pi() / 6))
+        < abs(left_side(3, Fifty("0.1"), exact::pi() / 6)));
+}
