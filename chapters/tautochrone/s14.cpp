@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "exact/quadrature.hpp"
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
 #include "tautochrone/thread.hpp"
@@ -220,3 +221,29 @@ const Emendation lost_bracket{
       const Fifty w = turning2_by_motion(K, 2 * ten, ten);
       return force_ == within_relative(-accelerations(r, K, w, ten).across, 1e-14, "the library's bound");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+A uniform rod of one metre lies free. Where must it be struck, that its one end does not move? Compare with
+the centre of oscillation of the rod when it hangs by this end.
+
+answer: Its $kk$ is a twelfth of the square of its length, and the end is half a length from $G$; by {{eq A}}
+$b = kk : \tfrac12$, a sixth of its length beyond $G$, two thirds of the length from the end:
+`--k 0.288675 --b 0.1666667`. It is the centre of oscillation: what hangs by a place that a blow would leave
+at rest needs no axis to hold it.
+:::
+*/
+
+CHECK_THAT("a uniform rod of one metre that is struck a sixth beyond its middle rests at its other end")
+{
+  const Fifty kk =
+      exact::integrate([](const Fifty& x) -> Fifty { return x * x; }, Fifty(-1) / 2, Fifty(1) / 2).value;
+  for(const Told& now : told_at("k=0.28867513459481288225 b=0.16666666666666666667"))
+  {
+    CHECK(pow(k.fifty(), 2) == within_relative(kk, 1e-19, "twenty digits"));
+    CHECK(now.value("still", metres) == within_relative(0.5, 1e-15, "the end"));
+    CHECK(b.fifty() + Fifty("0.5") == within_relative(Fifty(2) / 3, 1e-19, "two thirds from the end"));
+  }
+}
