@@ -66,7 +66,8 @@ const auto k = real("k", 0.1, metres, scale, "radius of gyration");
 const auto cheeks = integer("cheeks", 1, 0, 3, "0 none, 1 cycloids, 2 Euler's with k², 3 with k⁴");
 const auto phi0 =
     angle("phi0", 35_deg, closed(1e-7_deg, 89_deg), "how far the pendulum swings to either side");
-const auto phi = angle("phi", 20_deg, closed(0_deg, 89_deg), "angle of the free part with the vertical");
+const auto phi = angle("phi", at_most(20_deg, "phi0", [] { return phi0.fifty(); }), closed(0_deg, 89_deg),
+                       "angle of the free part with the vertical");
 const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second, half of today's g");
 
 Posture<double> place_at(Cheeks which, double ratio, double here)  // without a swing
@@ -418,3 +419,35 @@ const Emendation lost_C{"§17, the integral",
                               turning2_by_motion(K, 2 * ten, ten) * (K * K + pow(cos(ten), 2));
                           return right == within_relative(store, 4e-15, "two sines");
                         }};
+
+/*!
+## Go on from here
+
+::: exercise
+For a heavy point between cycloids, $k = 0$ and $a = 1$, integrate {{eq 5}}. How fast does the thread turn in
+the lowest place?
+
+answer: With $u = \sin\varphi$ it is $dt = \sqrt2\,du : \sqrt{u_0^2 - u^2}$, so that
+$\sin\varphi = \sin\varphi_0\cos\dfrac t{\sqrt2}$ from rest: what swings like a cosine is not the angle but
+its sine. In the lowest place $d\varphi : dt$ is $\sin\varphi_0 : \sqrt2$ of Euler's clock; `--k 1e-9 --phi 0`
+tells 1.796 radians a second.
+:::
+*/
+
+CHECK_THAT("a very small body turns in the lowest place by sin φ₀ : √2 of Euler's clock, and its sine is a "
+           "cosine of "
+           "the time")
+{
+  for(const Told& now : told_at("k=1e-9 phi=0", "k=1e-8 phi=0 phi0=80 a=2"))
+    CHECK(now.value("turning", Unit{"1/s"})
+          == within_relative(sin(phi0.fifty()) * sqrt(2 * g.fifty() / a.fifty()), 1e-14,
+                             "kk is 10⁻¹⁶ aa or less"));
+  for(const Told& now : told_at("k=1e-9 phi=0"))
+    CHECK(now.value("turning", Unit{"1/s"}) == within(1.796, 0.0005, "four digits"));
+  const Fifty start("1.2");
+  const std::vector<Fifty> times{Fifty("0.5"), Fifty("1.9"), Fifty("4.3")};
+  const auto angles = angles_by_motion(truncated(0, 0), 0, start, times);
+  for(std::size_t i{0}; i < times.size(); ++i)
+    CHECK(sin(angles[i])
+          == within(sin(start) * cos(times[i] / sqrt(Fifty(2))), 1e-15, "the motion's bound"));
+}

@@ -212,3 +212,29 @@ const Emendation of_dP{
       const auto r1 = corrections<Fifty>(1)[1];
       return reading == within_ulps((r1(cos(x + h)) - r1(cos(x - h))) / (2 * h), 8, "a fourth power");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+With $P$ alone, where does the radius of curvature come down to zero, so that the thread is all wound? Take
+$k = \tfrac1{10}a$.
+
+answer: By the margin $r = a\cos\varphi\,(1 - \kappa t(2 + t))$ with $\kappa = kk : aa$, so that
+$t = \sqrt{1 + 1 : \kappa} - 1$, and $\varphi = 71.6125°$: `--phi 71.6125` leaves not a hundredth of a
+millimetre of a metre. The second correction brings it down to 65.913° ({{sec tautochrone.32}}).
+:::
+*/
+
+CHECK_THAT(
+    "with P alone the thread is all wound at 71.6125° for k = a/10, with both corrections at 65.913°")
+{
+  for(const Told& now : told_at("phi=71.6125"))
+  {
+    CHECK(now.value("r", metres) == within(0, 1e-5, "a hundredth of a millimetre"));
+    CHECK(atan(sqrt(sqrt(1 + 1 / pow(k.fifty(), 2)) - 1))
+          == within_relative(phi.fifty(), 1e-5, "five digits"));
+  }
+  CHECK(truncated(2, Fifty("0.1"))(cos(Fifty("65.913") * exact::pi() / 180))
+        == within(0, 1e-4, "five digits"));
+}
