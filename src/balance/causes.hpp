@@ -35,10 +35,10 @@ enum class Cause
 namespace causes
 {
 
-constexpr double of_P = 1. / 20;                          ///< P's first, radians
-constexpr double of_beam = 1. / 6;                        ///< the beam's, where it is let go too, radians
-constexpr double look = 3.14159265358979323846 / 128;     ///< an eighth of a radian of the pans, s
-inline constexpr Full_state only_P{{0, 0, of_P, 0}, {}};  ///< P let go alone
+constexpr double of_P = 1. / 20;                       ///< P's first, radians
+constexpr double of_beam = 1. / 6;                     ///< the beam's, where it is let go too, radians
+constexpr double look = 3.14159265358979323846 / 128;  ///< an eighth of a radian of the pans, s
+inline constexpr Full_state only_P{.at = {0, 0, of_P, 0}, .rate = Four()};  ///< P let go alone
 
 /// The balance with a cause; for Cause::beam and Cause::none that with nothing but the fixed pivot.
 constexpr Suspended balance_with(Cause by)

@@ -214,6 +214,7 @@ struct Integrals
   Stages twice;  ///< Σ of coefficients::twice times F
 };
 
+/// The integrals of one motion's stages F, or of eight motions' side by side.
 /// @{
 ELEMENTARY_INLINE Integrals<Eight> integrals(const Eight& F)
 {
