@@ -76,8 +76,8 @@ Fifty Judge::least_between(const State<Fifty>& from, const State<Fifty>& to, Mod
   for(std::size_t i = 0; i < begin.size(); ++i)
   {
     // m + s x + p xx + q xxx, x from 0 to 1
-    const Fifty m = begin[i], s = (begins[i] - m) / h * time, rise = end[i] - m,
-                last = (ends[i] - end[i]) / h * time;
+    const Fifty& m = begin[i];
+    const Fifty s = (begins[i] - m) / h * time, rise = end[i] - m, last = (ends[i] - end[i]) / h * time;
     const Fifty p = 3 * rise - 2 * s - last, q = s + last - 2 * rise;
     const Fifty root = p * p - 3 * q * s;
     if(root <= 0)
