@@ -76,8 +76,9 @@ const auto psi = angle("psi", 0.2_deg, above_to(0_deg, 180_deg), "the angle from
 TELL
 {
   require(psi.fifty() > swing_.eta.fifty(), "psi", "greater than eta, where the descent begins");
-  const double eta = swing_.eta, way = static_cast<double>(psi.fifty() - swing_.eta.fifty()),
-               tau = swing::time_from_rest_past(way, eta);
+  const double eta = swing_.eta, gone = static_cast<double>(psi.fifty() - swing_.eta.fifty()),
+               way = std::min(gone, std::numbers::pi - eta),  // not past the lowest point by rounding
+      tau = swing::time_from_rest_past(way, eta);
   tell("element", element_of_way(way, eta), "dt/dψ in the unit √(b/2g)");
   tell("tau", tau, "time since the start, t√(2g/b)");
   tell("cosh", eta * std::cosh(tau), degrees, "where η cosh t√(2g/b) would be by then");
@@ -191,7 +192,7 @@ there.
 CHECK_THAT(
     "the element and the time told are those of the exact descent, the cosine that of its first moments")
 {
-  for(const Told& now : told_at("", "eta=30 psi=100", "eta=1e-200rad psi=2e-200rad"))
+  for(const Told& now : told_at("", "eta=30 psi=100", "eta=1e-200rad psi=2e-200rad", "zeta=60 psi=180"))
   {
     const Fifty eta = swing_.eta.fifty(), way = psi.fifty() - eta;
     const Fifty tau = swing::oracle::time_from_rest_past(way, eta);
