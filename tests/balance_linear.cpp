@@ -186,7 +186,8 @@ TEST_CASE("the designed instrument has the frequencies it was designed for, and 
   CHECK(at_start.rate.phi == within(0.1, 1e-14, "the same"));
 }
 
-TEST_CASE("the small motion keeps its digits where the masses are nearly singular and the modes nearly cancel")
+TEST_CASE(
+    "the small motion keeps its digits where the masses are nearly singular and the modes nearly cancel")
 {
   // a beam of a ten thousandth of a pan's weight on very short shears: from mpmath, sixty digits
   const Suspended light{{0.1, 100, 10, 10000, 100, 0.01, 0.1}, 0.01};
