@@ -36,6 +36,10 @@ static int pendulum(realtype t, N_Vector y, N_Vector rate, void* unused)
   NV_Ith_S(rate, 1) = -sin(NV_Ith_S(y, 0));
   return 0;
 }
+#define FOLLOW(STEP)                                                                                            \
+  (n ? STEP##SetFixedStep(memory, period / n) : STEP##SStolerances(memory, tolerance, tolerance),              \
+   STEP##SetMaxNumSteps(memory, 100000), STEP##SetStopTime(memory, period),                                     \
+   STEP##Evolve(memory, period, y, &t, ARK_NORMAL), STEP##GetNumSteps(memory, steps), STEP##Free(&memory))
 static double error(int additive, int table, int n, double tolerance, long* steps)
 {
   N_Vector y = N_VNew_Serial(2, context);
@@ -47,23 +51,13 @@ static double error(int additive, int table, int n, double tolerance, long* step
   {
     memory = ARKStepCreate(pendulum, NULL, 0, y, context);
     ARKStepSetTableNum(memory, ARKODE_DIRK_NONE, table);
-    n ? ARKStepSetFixedStep(memory, period / n) : ARKStepSStolerances(memory, tolerance, tolerance);
-    ARKStepSetMaxNumSteps(memory, 100000);
-    ARKStepSetStopTime(memory, period);
-    ARKStepEvolve(memory, period, y, &t, ARK_NORMAL);
-    ARKStepGetNumSteps(memory, steps);
-    ARKStepFree(&memory);
+    FOLLOW(ARKStep);
   }
   else
   {
     memory = ERKStepCreate(pendulum, 0, y, context);
     ERKStepSetTableNum(memory, table);
-    n ? ERKStepSetFixedStep(memory, period / n) : ERKStepSStolerances(memory, tolerance, tolerance);
-    ERKStepSetMaxNumSteps(memory, 100000);
-    ERKStepSetStopTime(memory, period);
-    ERKStepEvolve(memory, period, y, &t, ARK_NORMAL);
-    ERKStepGetNumSteps(memory, steps);
-    ERKStepFree(&memory);
+    FOLLOW(ERKStep);
   }
   return fabs(NV_Ith_S(y, 0) - M_PI / 2) + fabs(NV_Ith_S(y, 1));
 }
