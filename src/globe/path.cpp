@@ -206,9 +206,8 @@ Real first_negative(Series<Real> p, const Real& length, bool begins_at_zero)
       power *= length;
     }
     power = length;
-    while(
-        zeros + 1 < terms<
-            Real> && std::abs(static_cast<double>(p[zeros] * power)) < (std::is_same_v<Real, double> ? 1e-12 : 1e-40) * size)
+    const double nothing = (std::is_same_v<Real, double> ? 1e-12 : 1e-40) * size;
+    while(zeros + 1 < p.size() && std::abs(static_cast<double>(p[zeros] * power)) < nothing)
     {
       ++zeros;
       power *= length;
