@@ -3,6 +3,7 @@
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
 #include "pendulum/body.hpp"
+#include "pendulum/equation.hpp"
 #include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
@@ -69,8 +70,7 @@ double from_phi_to_rest(double phi, Amplitude to)  // (A), left side
 
 double from_rest_to_phi(double phi, Amplitude to)  // (A), right side
 {
-  const double way = std::min(to.zeta - phi, std::numbers::pi - to.eta);  // not past the bottom by rounding
-  return swing::time_from_rest_past(way, to.eta);
+  return swing::time_from_rest_past(pendulum::way_from_rest(to.zeta - phi, to.eta), to.eta);
 }
 
 const auto swing_ = amplitude(100_deg, from_below(10_deg, 180_deg));

@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "pendulum/equation.hpp"
 #include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
@@ -76,9 +77,9 @@ const auto psi = angle("psi", 0.2_deg, above_to(0_deg, 180_deg), "the angle from
 TELL
 {
   require(psi.fifty() > swing_.eta.fifty(), "psi", "greater than eta, where the descent begins");
-  const double eta = swing_.eta, gone = static_cast<double>(psi.fifty() - swing_.eta.fifty()),
-               way = std::min(gone, std::numbers::pi - eta),  // not past the lowest point by rounding
-      tau = swing::time_from_rest_past(way, eta);
+  const double eta = swing_.eta,
+               way = pendulum::way_from_rest(static_cast<double>(psi.fifty() - swing_.eta.fifty()), eta),
+               tau = swing::time_from_rest_past(way, eta);
   tell("element", element_of_way(way, eta), "dt/dψ in the unit √(b/2g)");
   tell("tau", tau, "time since the start, t√(2g/b)");
   tell("cosh", eta * std::cosh(tau), degrees, "where η cosh t√(2g/b) would be by then");

@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "pendulum/columns.hpp"
+#include "pendulum/equation.hpp"
 #include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
@@ -97,10 +98,9 @@ const auto psi = angle("psi", 90_deg, above_to(0_deg, 180_deg), "the angle from 
 const auto b = real("b", 1.0, metres, scale, "length of the equivalent simple pendulum");
 const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second, half of today's g");
 
-double way_gone()  // ψ − η, not more than leads to the lowest point
+double way_gone()  // ψ − η
 {
-  const double way = static_cast<double>(psi.fifty() - swing_.eta.fifty());
-  return std::min(way, std::numbers::pi - swing_.eta);
+  return pendulum::way_from_rest(static_cast<double>(psi.fifty() - swing_.eta.fifty()), swing_.eta);
 }
 
 TELL

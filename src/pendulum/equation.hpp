@@ -3,7 +3,9 @@
 /// difference of two cosines that stands for the amplitude.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pendulum
 {
@@ -32,5 +34,12 @@ Real cosine_difference(Real phi, Real zeta)
   return 2 * sin((zeta + phi) / 2) * sin((zeta - phi) / 2);
 }
 // [cosine_difference]
+
+/// The way from rest at the angle η from the top, in doubles: what was formed as the way, but not past the lowest point
+/// by rounding, where swing::time_from_rest_past() ends. Radians.
+inline double way_from_rest(double way, double eta)
+{
+  return std::min(way, std::numbers::pi - eta);
+}
 
 }  // namespace pendulum
