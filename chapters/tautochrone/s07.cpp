@@ -54,7 +54,7 @@ const auto phi0 = angle("phi0",
                         at_most(75_deg, "nine tenths of where the thread is all wound",
                                 [] { return ample(Cheeks::euler_k4, k / a); }),
                         closed(0.1_deg, 80_deg), "how far the pendulum swings, and the cheek reaches");
-const auto phi = angle("phi", at_most(50_deg, "phi0", [] { return phi0.fifty(); }), closed(0_deg, 80_deg),
+const auto phi = angle("phi", within_swing(50_deg, phi0), closed(0_deg, 80_deg),
                        "angle of the free part with the vertical");
 const auto n = integer("n", 4, 1, 400, "sides of the polygon");
 const auto h = angle("h", 5_deg, closed(0.1_deg, 5_deg), "angle between three places of the path");

@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/euler.hpp"
 #include "tautochrone/thread.hpp"
 
@@ -51,7 +52,7 @@ const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centr
 const auto k = real("k", 0.3, metres, scale, "radius of gyration");
 const auto phi0 =
     angle("phi0", 60_deg, above_to(0_deg, 89_deg), "how far the pendulum swings to either side");
-const auto phi = angle("phi", at_most(30_deg, "phi0", [] { return phi0.fifty(); }), closed(0_deg, 89_deg),
+const auto phi = angle("phi", within_swing(30_deg, phi0), closed(0_deg, 89_deg),
                        "angle of the free part with the vertical");
 
 double short_of_H(double ratio, double phi0_, double phi_)  // 1 − GZ/GH, (B)

@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/swing.hpp"
 #include "tautochrone/thread.hpp"
 
@@ -58,7 +59,7 @@ $a$ and in Euler's clock:
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
 const auto k = real("k", 0.1, metres, scale, "radius of gyration");
 const auto phi0 = angle("phi0", 20_deg, closed(1e-90_deg, 89.9_deg), "how far the pendulum swings");
-const auto phi = angle("phi", at_most(10_deg, "phi0", [] { return phi0.fifty(); }), closed(0_deg, 89.9_deg),
+const auto phi = angle("phi", within_swing(10_deg, phi0), closed(0_deg, 89.9_deg),
                        "angle SMG of the thread with the vertical");
 const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second, half of today's g");
 

@@ -60,7 +60,7 @@ const auto k = real("k", 0.1, metres, scale, "radius of gyration");
 const auto cheeks = integer("cheeks", 1, 0, 3, "0 none, 1 cycloids, 2 Euler's with k², 3 with k⁴");
 const auto phi0 =
     angle("phi0", 20_deg, closed(1e-7_deg, 89_deg), "how far the pendulum swings to either side");
-const auto phi = angle("phi", at_most(10_deg, "phi0", [] { return phi0.fifty(); }), closed(0_deg, 89_deg),
+const auto phi = angle("phi", within_swing(10_deg, phi0), closed(0_deg, 89_deg),
                        "angle of the free part with the vertical");
 
 double nearer(const Posture<double>& at, double ratio)  // 1 − GZ/GH, by (A): 2ds dφ/P dt²

@@ -62,11 +62,8 @@ vanish together in the lowest place. The cheeks: 0 for a fixed axis, 1 for cyclo
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
 const auto k = real("k", 0.3, metres, scale, "radius of gyration");
 const auto cheeks = integer("cheeks", 1, 0, 3, "0 none, 1 cycloids, 2 Euler's with k², 3 with k⁴");
-const auto phi0 = angle("phi0",
-                        at_most(60_deg, "nine tenths of where the thread is all wound",
-                                [] { return ample(Cheeks(int(cheeks)), k / a); }),
-                        closed(1e-7_deg, 89_deg), "how far the pendulum swings to either side");
-const auto phi = angle("phi", at_most(50_deg, "phi0", [] { return phi0.fifty(); }), closed(0_deg, 89_deg),
+const auto phi0 = asked_swing(60_deg, cheeks, k, a);
+const auto phi = angle("phi", within_swing(50_deg, phi0), closed(0_deg, 89_deg),
                        "angle of the free part with the vertical");
 
 double moment(const Posture<double>& at, double ratio)  // Pb, (4), over the weight and a

@@ -7,6 +7,7 @@
 
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/path.hpp"
 #include "tautochrone/series.hpp"
@@ -67,8 +68,8 @@ const auto k = real("k", 0.1, metres, scale, "radius of gyration");
 const auto cheeks = integer("cheeks", 1, 0, 3, "0 none, 1 cycloids, 2 Euler's with k², 3 with k⁴");
 const auto phi0 =
     angle("phi0", 30_deg, closed(1e-7_deg, 89_deg), "how far the pendulum swings to either side");
-const auto phi = angle("phi", at_most(15_deg, "phi0", [] { return phi0.fifty(); }), closed(0_deg, 89_deg),
-                       "the angle to which it is timed");
+const auto phi =
+    angle("phi", within_swing(15_deg, phi0), closed(0_deg, 89_deg), "the angle to which it is timed");
 const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second, half of today's g");
 
 struct Swing  ///< what is integrated, a = 1

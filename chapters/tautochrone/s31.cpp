@@ -288,16 +288,13 @@ CHECK_THAT("Huygens's body and Euler's move as their equations of motion say, on
       if(name == "euler" && !(truncated(2, ratio)(cos(start)) > 0))
         continue;
       const auto r = truncated(name == "euler" ? 2 : 0, ratio);
-      const auto angles = angles_by_motion(r, ratio, start, times);
+      const auto places = places_by_motion(r, ratio, start, times);
       for(std::size_t i = 0; i < frames.size(); ++i)
       {
-        const Fifty& here = angles.at(i);
-        const auto along = [&](const Fifty& x) -> Fifty { return r(cos(x)) * cos(x); };
-        const auto up = [&](const Fifty& x) -> Fifty { return r(cos(x)) * sin(x); };
-        const auto from_lowest = [&](const auto& f) { return exact::integrate(f, 0, here).value; };
-        CHECK(frames[i].value((name + "_phi").c_str()) == within(here, slack, why));
-        CHECK(frames[i].value((name + "_x").c_str()) == within(from_lowest(along), slack, why));
-        CHECK(frames[i].value((name + "_y").c_str()) == within(from_lowest(up), slack, why));
+        const On_curve& at = places[i];
+        CHECK(frames[i].value((name + "_phi").c_str()) == within(at.phi, slack, why));
+        CHECK(frames[i].value((name + "_x").c_str()) == within(at.y, slack, why));
+        CHECK(frames[i].value((name + "_y").c_str()) == within(at.x, slack, why));
       }
     }
   }
@@ -310,7 +307,7 @@ CHECK_THAT("the third body is on the exact curve, and the root of its height is 
     const Fifty T = exact::pi() * sqrt((1 + pow(K.fifty(), 2)) * a.fifty() / (2 * g.fifty()));
     for(const auto& frame : now.points("three", 4))
     {
-      const On_highest right =
+      const On_curve right =
           on_highest(K.fifty(), phi0.fifty(), Fifty(frame.at("t")) / T, Fifty(frame.at("exact_phi")));
       const char* const why = "the curve's error below 1e-13, and that the time is rounded";
       CHECK(frame.value("t") == between(0, 10.0001 * T, "ten swings"));

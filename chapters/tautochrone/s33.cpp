@@ -313,23 +313,20 @@ CHECK_THAT(
     for(const std::string name : {"huygens", "euler"})
     {
       const auto r = truncated(name == "euler" ? 2 : 0, ratio);
-      const auto angles = angles_by_motion(r, ratio, start, times);
+      const auto places = places_by_motion(r, ratio, start, times);
       for(std::size_t i{0}; i < frames.size(); ++i)
       {
-        const Fifty& x = angles[i];
-        const auto along = [&](const Fifty& y) -> Fifty { return r(cos(y)) * cos(y); };
-        const auto upward = [&](const Fifty& y) -> Fifty { return r(cos(y)) * sin(y); };
-        const Fifty aside = exact::integrate(along, 0, x).value, up = exact::integrate(upward, 0, x).value;
+        const On_curve& at = places[i];
         const double slack = 1e-13 * (1 + double(ratio));
         const char* const why = "six swings, and the clock's bound at each";
         const auto is = [&](const char* column, const Fifty& right) {
           CHECK(frames[i].value((name + column).c_str()) == within(right, slack, why));
         };
-        is("_phi", x);
-        is("_M_x", aside - r(cos(x)) * sin(x));
-        is("_M_y", up - 1 + r(cos(x)) * cos(x));
-        is("_G_x", aside);
-        is("_G_y", up - 1);
+        is("_phi", at.phi);
+        is("_M_x", at.y - at.r * sin(at.phi));
+        is("_M_y", at.x - 1 + at.r * cos(at.phi));
+        is("_G_x", at.y);
+        is("_G_y", at.x - 1);
       }
     }
   }
@@ -345,7 +342,7 @@ CHECK_THAT("the third body is on the exact curve where the cosine of the time ha
           == within_relative(1 - highest(K.fifty(), phi0.fifty()), 1e-13, "the library's bound"));
     for(const auto& frame : now.points("wound", 5))
     {
-      const On_highest right =
+      const On_curve right =
           on_highest(K.fifty(), phi0.fifty(), Fifty(frame.at("t")) / T, Fifty(frame.at("exact_phi")));
       const char* const why = "the curve's error below 1e-13, and that the time is rounded";
       CHECK(frame.value("t") == between(0, 6.0001 * T, "six swings"));

@@ -21,6 +21,25 @@ inline double ample(Cheeks cheeks, double ratio)
   return std::max(0.9 * largest_amplitude(cheeks, std::clamp(ratio, 1e-10, 1e10)), 1e-7_deg);
 }
 
+/// The option --phi0 of a pendulum between the cheeks, which swings out to `usual`, or as far as is ample().
+inline edition::Parameter<double> asked_swing(double usual, const edition::Parameter<int>& cheeks,
+                                              const edition::Parameter<double>& k,
+                                              const edition::Parameter<double>& a,
+                                              edition::Source source = edition::here())
+{
+  using namespace edition;
+  return angle("phi0",
+               at_most(usual, "nine tenths of where the thread is all wound",
+                       [=] { return ample(Cheeks(int(cheeks)), k / a); }),
+               closed(1e-7_deg, 89_deg), "how far the pendulum swings to either side", source);
+}
+
+/// `usual` as the default of a place of the swing out to `phi0`, or that where it is less.
+inline edition::Default within_swing(double usual, const edition::Parameter<double>& phi0)
+{
+  return edition::at_most(usual, "phi0", [phi0] { return phi0.fifty(); });
+}
+
 /// The place φ of a swing out to φ₀ between the cheeks, for k = ratio and a = 1. Refuses, by the names of the
 /// sections' options, a k that is not from 1e-9 a to 1e9 a, a swing beyond the cheeks' end, and a φ beyond φ₀.
 inline Posture<double> asked_posture(Cheeks cheeks, double ratio, double phi0, double phi)

@@ -18,6 +18,33 @@
 namespace tautochrone
 {
 
+/// A place on a curve whose radius of curvature is r(cos φ), in fifty digits; a = 1.
+struct On_curve
+{
+  exact::Fifty phi;  ///< the angle of the thread, positive to the right
+  exact::Fifty r;    ///< what of the thread is free
+  exact::Fifty x;    ///< the height above the lowest place
+  exact::Fifty y;    ///< how far it is to the right
+};
+
+/// Where a body that swings out to φ₀ is at such times, by its equation of motion and the integrals of the curve. Domain:
+/// that of angles_by_motion().
+inline std::vector<On_curve> places_by_motion(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
+                                              const exact::Fifty& phi0,
+                                              const std::vector<exact::Fifty>& times)
+{
+  using exact::Fifty;
+  const auto up = [&](const Fifty& at) -> Fifty { return r(cos(at)) * sin(at); };
+  const auto aside = [&](const Fifty& at) -> Fifty { return r(cos(at)) * cos(at); };
+  const auto from_lowest = [](const auto& f, const Fifty& phi) {
+    return phi == 0 ? Fifty(0) : exact::integrate(f, 0, phi).value;
+  };
+  std::vector<On_curve> places;
+  for(const Fifty& phi : angles_by_motion(r, k, phi0, times))
+    places.push_back({phi, r(cos(phi)), from_lowest(up, phi), from_lowest(aside, phi)});
+  return places;
+}
+
 /// A frame as it was told, and what it should be.
 struct Judged_frame
 {
@@ -42,18 +69,14 @@ inline std::vector<Judged_frame> judged(const std::vector<edition::ToldRow>& fra
   std::vector<Fifty> times;
   for(std::size_t i = 0; i < frames.size(); ++i)
     times.push_back(2 * T * static_cast<int>(i) / static_cast<int>(frames.size() - 1));
-  const auto angles = angles_by_motion(r, k, phi0, times);
+  const auto places = places_by_motion(r, k, phi0, times);
   std::vector<Judged_frame> result;
   for(std::size_t i = 0; i < frames.size(); ++i)
   {
-    const Fifty& phi = angles[i];
-    const Fifty s = sin(phi), c = cos(phi), free = r(c);
-    const auto aside = [&](const Fifty& x) -> Fifty { return r(cos(x)) * cos(x); };
-    const auto up = [&](const Fifty& x) -> Fifty { return r(cos(x)) * sin(x); };
-    const Fifty x = phi == 0 ? Fifty(0) : exact::integrate(aside, 0, phi).value;
-    const Fifty y = (phi == 0 ? Fifty(0) : exact::integrate(up, 0, phi).value) - 1;
+    const On_curve& at = places[i];
+    const Fifty s = sin(at.phi), c = cos(at.phi), x = at.y, y = at.x - 1;
     Judged_frame frame{frames[i], unit * times[i], {}, 1e-13 * (1 + static_cast<double>(k))};
-    frame.right = {{"phi", phi}, {"M_x", x - free * s}, {"M_y", y + free * c}, {"G_x", x}, {"G_y", y}};
+    frame.right = {{"phi", at.phi}, {"M_x", x - at.r * s}, {"M_y", y + at.r * c}, {"G_x", x}, {"G_y", y}};
     if(k > 0)
       for(const auto& [name, l] : {std::pair<std::string, Fifty>{"upper", -k}, {"lower", k}})
       {
@@ -65,19 +88,10 @@ inline std::vector<Judged_frame> judged(const std::vector<edition::ToldRow>& fra
   return result;
 }
 
-/// Where a body is on the highest exact tautochrone, in fifty digits; a = 1.
-struct On_highest
-{
-  exact::Fifty phi;  ///< the angle of the thread, positive to the right
-  exact::Fifty r;    ///< what of the thread is free
-  exact::Fifty x;    ///< the height above the lowest place
-  exact::Fifty y;    ///< how far it is to the right
-};
-
-/// That place, so many swings after the body was let go at φ₀, where the root of the height is a cosine of the
+/// The place on the highest exact tautochrone, so many swings after the body was let go at φ₀, where the root of the height is a cosine of the
 /// time; found from an angle that is right to 1e-9. Good to 1e-15. Domain: 0.02 ≤ k ≤ 0.9, φ₀ ≤ the end.
-inline On_highest on_highest(const exact::Fifty& k, const exact::Fifty& phi0, const exact::Fifty& swings,
-                             const exact::Fifty& near)
+inline On_curve on_highest(const exact::Fifty& k, const exact::Fifty& phi0, const exact::Fifty& swings,
+                           const exact::Fifty& near)
 {
   using exact::Fifty;
   const Fifty kk = k * k, lowest("1e-9");
@@ -92,7 +106,7 @@ inline On_highest on_highest(const exact::Fifty& k, const exact::Fifty& phi0, co
   to -= (root(r, to) - wanted) * sqrt(2 * (1 + kk) / (kk + r * r));
   if(to > phi0)
     to = phi0;
-  On_highest place{to, radius_at(to), wanted * wanted, to};
+  On_curve place{to, radius_at(to), wanted * wanted, to};
   const Fifty low("1e-13");
   if(to > low)  // the breadth is followed down the equation with r
     place.y = low
