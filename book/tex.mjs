@@ -3,15 +3,16 @@
 
 const functions = { sin: '\\sin', cos: '\\cos', tan: '\\tan', cot: '\\cot', log: '\\log', ln: '\\ln', tg: '\\operatorname{tg}' };
 const signs = {
-  '−': '-', '·': '\\cdot ', '×': '\\times ', '±': '\\pm ', '≈': '\\approx ', '≤': '\\le ', '≥': '\\ge ', '…': '\\dots ',
+  '−': '-', '·': '\\cdot ', '×': '\\times ', '±': '\\pm ', '∓': '\\mp ', '≈': '\\approx ', '≤': '\\le ', '≥': '\\ge ', '…': '\\dots ',
   '∫': '\\int ', '∞': '\\infty ', '′': "'", '°': '^\\circ ', '+': '+', '=': '=', '<': '<', '>': '>', '(': '(', ')': ')',
-  '[': '[', ']': ']', '/': '/', ',': ',\\; ', ';': ';\\; ',
+  '[': '[', ']': ']', '/': '/', ':': ':', ',': ',\\; ', ';': ';\\; ', '*': '^*',
 }; // prettier-ignore
 const fractions = { '½': '\\tfrac12 ', '⅓': '\\tfrac13 ', '⅔': '\\tfrac23 ', '¼': '\\tfrac14 ', '¾': '\\tfrac34 ', '⅛': '\\tfrac18 ', '⅜': '\\tfrac38 ', '⅝': '\\tfrac58 ', '⅞': '\\tfrac78 ' };
 const raised = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 const lowered = '₀₁₂₃₄₅₆₇₈₉';
+// Words of four letters and more are English unless they have a square of Euler's, aa or kk.
 const english =
-  /^(an|as|at|be|by|he|if|in|is|it|no|of|on|or|so|to|up|we|all|and|but|for|its|not|one|out|the|too|two|\p{L}{5,}|[a-z]{4})$/u;
+  /^(an|as|at|be|by|he|if|in|is|it|no|of|on|or|so|to|up|we|all|and|but|for|its|not|one|out|the|too|two|(?!.*(aa|kk))(\p{L}{5,}|[a-z]{4}))$/u;
 
 const small = (text, digits, minus, plus) =>
   [...text].map((c) => (c === minus ? '-' : c === plus ? '+' : c === 'ⁿ' ? 'n' : digits.indexOf(c))).join('');

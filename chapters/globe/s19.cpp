@@ -328,7 +328,7 @@ const Erratum centre{
 
 const Emendation velocity{"§19, the second condition",
                           {"ν2gc : k", std::sqrt(2.)},
-                          {"√8gc : k", std::sqrt(8.)},
+                          {"√(8gc) : k", std::sqrt(8.)},
                           "it is twice √2gc : k, and with that h is 1",
                           [](double root) {  // ζk:√gc; (3) of §16
                             const Fifty zeta = root, h = zeta * abs(zeta) / 8;

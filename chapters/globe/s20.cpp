@@ -263,8 +263,8 @@ Fifty fallen()  // dΦ/dt at the lowest place, with g = 1, by the equations of m
 }
 
 const Emendation eight{"§20, the velocity of Case II",
-                       {"√2gc:k", std::sqrt(0.2) / 0.6},
-                       {"√8gc:k", std::sqrt(0.8) / 0.6},
+                       {"√(2gc) : k", std::sqrt(0.2) / 0.6},
+                       {"√(8gc) : k", std::sqrt(0.8) / 0.6},
                        "§16 has it, and the ball that falls from near the top comes down with it",
                        [](double reading) {
                          static const Fifty down = fallen();

@@ -445,23 +445,23 @@ const Emendation upper{
     is_S};
 
 const Emendation lower{"§26, the fourth formula, below",
-                       {"(ae + 3c cos Φ − a)/(2c + 2c cos Φ) and ae(a − c cos Φ)",
+                       {"(ae + 3c cos Φ − a)/(2c + 2c cos Φ); ae(a − c cos Φ)",
                         o.upper
                             / (o.c * o.s * (o.a * o.c + 3 * o.c * o.u - o.a) / (2 * o.c * (1 + o.u))
                                - o.a * o.c * (o.a - o.c * o.u) * o.s / o.D)},
-                       {"(2C + 3c cos Φ − a)/(2C + 2c cos Φ) and ac(a − c cos Φ)", o.upper / o.lower},
+                       {"(2C + 3c cos Φ − a)/(2C + 2c cos Φ); ac(a − c cos Φ)", o.upper / o.lower},
                        "it is (3), and the motion has that ratio",
                        is_S};
 
 const Emendation cleared{
     "§26, the fourth formula, cleared of fractions",
-    {"ckk(aa + cc + kk − 2acc cos Φ) − (c + c cos Φ) ackk, over c(2c + 3cc cos Φ − a)(…) − (2c + 2cc cos "
-     "Φ) ac(…)",
+    {"[ckk(aa + cc + kk − 2acc cos Φ) − (c + c cos Φ) ackk] / [c(2c + 3cc cos Φ − a)(…) − (2c + 2cc cos Φ) "
+     "ac(…)]",
      (o.c * o.kk * (o.N - 2 * o.a * o.C - 2 * o.a * o.c * o.c * o.u) - o.c * (1 + o.u) * o.a * o.c * o.kk)
          / (o.c * (2 * o.c + 3 * o.c * o.c * o.u - o.a) * (o.N - 2 * o.a * o.C - 2 * o.a * o.c * o.c * o.u)
             - (2 * o.c + 2 * o.c * o.c * o.u) * o.a * o.c * (o.a - o.c * o.u))},
-    {"−ckk(aa + cc + kk − 2ac cos Φ) − (2C + 2c cos Φ) ackk, over c(2C + 3c cos Φ − a)(…) − (2C + 2c cos "
-     "Φ) ac(…)",
+    {"[−ckk(aa + cc + kk − 2ac cos Φ) − (2C + 2c cos Φ) ackk] / [c(2C + 3c cos Φ − a)(…) − (2C + 2c cos Φ) "
+     "ac(…)]",
      (-o.c * o.kk * o.D - o.V * o.a * o.c * o.kk)
          / (o.c * (2 * o.C + 3 * o.c * o.u - o.a) * o.D - o.V * o.a * o.c * (o.a - o.c * o.u))},
     "(4) with both parts multiplied by the denominators, and the motion has that ratio",

@@ -595,6 +595,8 @@ test('readings become formulae where they are ones, and readable again where the
   assert.equal(texOf('1,1805'), '1{,}1805');
   assert.equal(texOf('√(cc − zz)'), '\\sqrt{cc-zz}');
   assert.equal(texOf('sin²α'), '\\sin ^{2}α');
+  assert.equal(texOf('(n:k)√gc ∓ 3aakkPP'), '(n:k)\\sqrt{gc}\\mp 3aakkPP');
+  assert.equal(texOf('[ackk] / [2aafx(…)]'), '[ackk]/[2aafx(\\dots )]');
   assert.equal(texOf('the longer (maius)'), null);
   assert.equal(texOf('15½ and 31'), null);
   assert.equal(readable('\\frac{t\\sqrt{2g}}{\\sqrt b} = \\tfrac12\\ln 2^{-3}'), '(t√(2g))/(√b) = ½ln 2⁻³');
