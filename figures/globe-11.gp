@@ -11,7 +11,17 @@ set xrange [-180:180]
 set yrange [0:high]
 set xtics -180, 60, 180
 set label "no pressure" at edge, graph 0.95 left offset 1, 0 textcolor linetype 6
-drawn(value) = value > 0 ? value : NaN
-plot for [name in "h_a h_b h_c h_lift h_d"] tsv(curves) using "Phi":(drawn(column(name))) with lines linetype 1, \
+drawn(value) = value > 0 && value < high ? value : NaN
+# Outwards from the lowest place: down to the axis where the ball turns back, and no further.
+out(angle, value) = (before = angle == 0 ? 0 : last, last = value, angle >= 0 && (value > 0 || before > 0) ? value : NaN)
+last = 0
+named(value) = sprintf("{/:Italic h} = %.3g", value ** 2)
+plot for [side = -1:1:2] for [name in "h_a h_b h_c h_lift h_d"] tsv(curves) \
+       using (side * column("Phi")):(out(column("Phi"), column(name))) with lines linetype 1, \
      tsv(curves) using "Phi":"top" with lines linetype 2, \
-     "" using "Phi":(drawn(column("none"))) with lines linetype 6 dashtype (6, 4)
+     "" using "Phi":(drawn(column("none"))) with lines linetype 6 dashtype (6, 4), \
+     for [name in "h_a h_b"] "" using "Phi":name:(named(column(name))) every ::180::180 \
+       with labels offset 0, -0.7 textcolor linetype 1, \
+     for [name in "h_c h_lift h_d"] "" using "Phi":name:(named(column(name))) every ::180::180 \
+       with labels offset 0, 0.6 textcolor linetype 1, \
+     "" using "Phi":"top":(named(column("top"))) every ::180::180 with labels offset 0, 0.6 textcolor linetype 2

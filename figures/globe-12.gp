@@ -6,7 +6,8 @@ set xlabel "angle Φ (degrees)"
 set ylabel "living force over {/:Italic P}, without {/:Italic ff} (ft²/s²)"
 set xrange [-end:end]
 set yrange [0:1.1 * high]
-set label "turning" at 0, 0.4 * high center textcolor linetype 1
+if (end > 60) set xtics 60
+set label "turning" at 0, 0.2 * high center textcolor linetype 1
 set label "rise and fall of {/:Italic G}" at 0, 1.06 * high center textcolor linetype 3
 array E[181]
 stats tsv(curves) using (E[int($0) + 1] = column("alike")) nooutput

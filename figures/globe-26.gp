@@ -6,7 +6,7 @@ most = 5 * abs(STATS_mean_y)
 set xrange [0:180]
 set xtics 30
 set rmargin 3
-set lmargin 10
+set lmargin 12
 set multiplot layout 2, 1
 set ylabel "{/:Italic S} over {/:Italic a}" offset -1, 0
 set yrange [-most:most]

@@ -133,9 +133,9 @@ alt: Angular velocity against the angle, upper half. Closed arches about the low
 that rock; an arch from top to top for the one with just the velocity for it; waves above. A grey line
 that comes down towards the top on either side cuts the highest wave in its lowest points.
 
-The angular velocity {{eq 4}} against the angle, in units of the ζ of Case II, for six energies. Closed
-curves rock, open ones turn over, and {{eq 4}} with $\Gamma = c$ (red) parts them. On the grey line there
-is no pressure: the waves that cut it have their lowest points there, and above it {{eq 4}} is void.
+The angular velocity {{eq 4}} against the angle, in units of the ζ of Case II, for six energies. The arches
+rock, the waves turn over, and {{eq 4}} with $\Gamma = c$ (red) parts them. On the grey line there is no
+pressure: the waves that cut it have their lowest points there, and above it {{eq 4}} is void.
 :::
 
 ## Checks

@@ -1,6 +1,7 @@
 // Every figure at three settings of its section's parameters: gnuplot has nothing to say, no curve leaves its frame that stays in
-// it with Euler's numbers, no label leaves the drawing, and none the curve whose colour it has. Usage: node figures.mjs BUILD
-// GNUPLOT [FIGURE...] (build/book, beside which lie the programs in bin; run in the repository's folder)
+// it with Euler's numbers, no label leaves the drawing, none the curve whose colour it has, and every upright axis has its name
+// (gnuplot leaves it out, silently, where a margin has no room for it). Usage: node figures.mjs BUILD GNUPLOT [FIGURE...]
+// (build/book, beside which lie the programs in bin; run in the repository's folder)
 import { execFile } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -92,6 +93,7 @@ async function drawing(figure, data) {
   const { drawn, texts } = parts(svg);
   return {
     said: stderr.trim(),
+    nameless: (words.match(/^\s*set ylabel "[^"]/gm) ?? []).length - (svg.match(/ rotate\(270\)/g) ?? []).length,
     frame: off,
     labels: texts.map(({ text, fill, box }) => ({
       text,
@@ -117,7 +119,10 @@ async function tryFigures(program) {
   if (!own.length) return;
   const told = path.join(build, 'told');
   const usual = {};
-  for (const figure of own) usual[figure] = await drawing(figure, told);
+  for (const figure of own) {
+    usual[figure] = await drawing(figure, told);
+    if (usual[figure].nameless > 0) fault(`${figure}: the name of an upright axis is left out`);
+  }
   figures += own.length;
   const { parameters } = JSON.parse(fs.readFileSync(path.join(told, `${program}.json`), 'utf8'));
   for (const given of settings(parameters)) {
@@ -139,6 +144,7 @@ async function tryFigures(program) {
         fault(`${where}: ${String(error.stderr ?? error.message).trim().split('\n').pop()}`);
         continue;
       }
+      if (now.nameless > usual[figure].nameless) fault(`${where}: the name of an upright axis is left out`);
       if (now.said) fault(`${where}: gnuplot says ${now.said.split('\n').pop()}`);
       now.frame.forEach((share, axis) => {
         if (!(share <= usual[figure].frame[axis] + beyond))
