@@ -77,6 +77,17 @@ TEST_CASE("defaults come back, and the ends of a range belong to it")
     CHECK(refusal("b", end).empty());
 }
 
+TEST_CASE("a default asks the parameters of its own section, whichever was asked last")
+{
+  Section& s = scene();
+  static const Identity other{"pendulum", 98, "Another section for the tests"};
+  for(const char* name : {"p", "q", "r", "s", "t", "u"})
+    [[maybe_unused]] const auto any = angle(name, 10_deg, scale, "an angle");
+  choose(*sections().back());
+  set_parameters(s, {});
+  CHECK(parameter(s, "part").value == 40_deg);
+}
+
 TEST_CASE("a default keeps to what another parameter allows, to all digits, and what is given does not")
 {
   Section& s = scene();

@@ -248,7 +248,7 @@ CHECK_THAT("the points of the figure lie where their definitions put them, and s
                                          : M.p + along * c;
       CHECK(row.value("aside") == within(aside, 1e-14, "a few roundings"));
       CHECK(row.value("down") == within(down, 1e-14, "a few roundings"));
-      CHECK(std::string("AMPGQSCDH").find(letter) != std::string::npos);
+      CHECK(std::string("AMPGQSCDH").find(letter) < 9);
     }
   }
   for(const Told& now : told_at(""))

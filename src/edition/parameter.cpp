@@ -387,6 +387,7 @@ void set_parameter(ParameterEntry& p, const std::string& text)
 
 void set_parameters(Section& s, const std::vector<std::pair<std::string, std::string>>& given)
 {
+  choose(s);  // whose parameters a default asks that is at most something
   for(ParameterEntry& p : s.parameters)
     reset_parameter(p);
   for(const auto& [name, text] : given)
