@@ -1,8 +1,9 @@
 load "figures/style.gp"
 stats tsv("balance-22.balances") using "p" name "P" nooutput
+stats tsv("balance-22.balances") using "ratio" name "R" nooutput
 set xlabel "frequency of the beam, λ : μ"
 set ylabel "{/:Italic p} = {/:Italic am} : {/:Italic b}"
-set xrange [0:3.2]
+set xrange [0:R_max > 3.2 ? 1.05 * R_max : 3.2]
 set yrange [0:0.4]
 set label "λ = 2μ:\nswings grow" at 2.05, 0.34 center textcolor linetype 2
 set label "λ = μ" at 1.08, 0.34 left textcolor linetype 2

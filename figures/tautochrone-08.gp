@@ -14,8 +14,9 @@ do for [i = 1:9] {
   Y[i] = -STATS_min
 }
 set label "{/:Italic B}" at B_max + 0.03, -L_max textcolor linetype 2
-set xrange [-0.12:1.05]
-set yrange [-1.14:0.08]
+least(x, y) = x < y ? x : y
+set xrange [-0.12:-least(-1.05, -0.07 - X[9])]
+set yrange [least(-1.14, least(Y[8], Y[9]) - 0.06):0.08]
 # A M P G Q S C D H
 name(i) = word("A M P G Q S C D H", i)
 dx(i) = real(word("0.9 1.1 1.1 -0.2 1.1 1.1 -1.3 1.2 1.3", i))

@@ -100,14 +100,14 @@ TELL
 
 TELL
 {
-  curve("path", {"t", "x", "y", "s"}, [](Curve& path) {
+  curve("path", {"t", "x", "y", "s", "C"}, [](Curve& path) {
     const auto e = energy_of_velocity<double>(c, k * k, g, zeta);
     const double all = std::min(4 * smooth::quarter<double>(c, k, e), 20 * k);
     const double second = std::sqrt(2 * g) * std::sqrt(c);
     for(int n = 0; n <= 32; ++n)
     {
       const double turned = smooth::angle(c, k, e, n * all / 32).Phi, t = n * all / 32 / second;
-      path.put({t, f * t, a - c * std::cos(turned), f * t + c * std::sin(turned)});
+      path.put({t, f * t, a - c * std::cos(turned), f * t + c * std::sin(turned), a});
     }
   });
 }
@@ -196,6 +196,7 @@ CHECK_THAT("the path drawn is that of Newton's equations, G going uniformly")
                                         : exact::solve(motion, 0, {0, f.fifty(), 0, zeta.fifty()}, t).y;
       CHECK(point.value("t") == between(0, 4, "the time of two turns"));
       CHECK(point.value("x") == within(there[0], 1e-14, "(1)"));
+      CHECK(point.value("C") == within(ball.a, 0, "the height of C, as given"));
       CHECK(point.value("y") == within(ball.a - ball.c * cos(there[2]), 1e-14, "the height of G"));
       CHECK(point.value("s") == within(there[0] + ball.c * sin(there[2]), 1e-14, "(2)"));
     }
