@@ -60,8 +60,8 @@ for the acceleration at the beginning and at the end of each step.
 ::: code pendulum/steps.hpp leapfrog
 :::
 
-The rule of Runge and Kutta takes four accelerations a step. The GSL has rules of the eighth order that choose
-their own steps.
+The rule of Runge and Kutta takes four accelerations a step. The GSL has one of the eighth order that chooses
+its own steps.
 */
 
 double with_gsl(Place at, double t, double (*turning)(double))

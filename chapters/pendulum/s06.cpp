@@ -201,7 +201,7 @@ const Doubtful height{"§6, the height due to the speed",
                       {"b (1 − cos ζ)", 2.5 * (1 - std::cos(60_deg))},
                       "a body that falls from there has the speed of O in AB",
                       [](double reading) {
-                        const Fifty v = 2.5 * sqrt(by_motion(0, 60_deg) * 2 * Fifty(4.9) / 2.5);  // b = 2,5
+                        const Fifty v = 2.5 * sqrt(by_motion(0, 60_deg) * 2 * Fifty(4.9) / 2.5);  // b = 2.5
                         const Fifty seconds = v / (2 * Fifty(4.9));
                         return reading == within_ulps(4.9 * seconds * seconds, 4, "a cosine, two products");
                       }};

@@ -179,6 +179,8 @@ TELL
 }
 
 /*!
+{{table ladder}}
+
 Ten terms for the semicircle leave out {{R|8}}. By {{eq B}} this must lie between {{lower|8}} and {{upper|8}};
 by {{eq A}} it need only be less than {{geometric|8}}. Nearer the top the difference is greater: try
 `--zeta 179 --N 1000`.

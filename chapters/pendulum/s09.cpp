@@ -100,9 +100,8 @@ TELL
 
 /*!
 The length in our copy is not quite what {{eq 3}} gives. The table tries the two readings of $g$, two usual
-values of
-π, and a reckoning by logarithms of five places, first as it should be and then with its last place one
-too small.
+values of π, and a reckoning by logarithms of five places, first as it should be and then with its last place
+one too small.
 */
 
 TELL
@@ -114,9 +113,9 @@ TELL
   row("2g = 31", seconds_length(15.5));
   row("2g = 31¼", seconds_length(15.625));
   row("2g = 31¼, π = 22/7", seconds_length(15.625, 22. / 7));
-  row("2g = 31¼, π = 3,1416", seconds_length(15.625, 3.1416));
-  row("l. 31,25 − 2 l. π = 0,50055", std::pow(10, 0.50055));
-  row("the same as 0,50054", std::pow(10, 0.50054));
+  row("2g = 31¼, π = 3.1416", seconds_length(15.625, 3.1416));
+  row("log 31.25 − 2 log π = 0.50055", std::pow(10, 0.50055));
+  row("the same as 0.50054", std::pow(10, 0.50054));
 }
 
 TELL
@@ -137,6 +136,8 @@ TELL
 }
 
 /*!
+{{table candidates}}
+
 The reading of $g$ is certain: 31 feet make a length that is wrong in its second decimal. The last digit of
 3,16621 is another matter. {{eq 3}} gives {{seconds_length|6}} feet; neither 22/7 nor 3.1416 for π leads to
 3.16621, and $g$ would have to be {{needed|7}}. A slip of one in the fifth place of a logarithm leads there
@@ -179,22 +180,22 @@ CHECK_THAT(
 }
 
 /*!
-In our copy the two numbers for $g$ have lost the last stroke of an eighth and a quarter. They agree with each
+In our copy $g$ has lost an eighth and $2g$ a quarter. The two agree with each
 other, 31 being twice 15½, but not with the length beside them.
 */
 
 const Emendation fall{
     "§9, g and 2g",
-    {"15½ and 31", seconds_length(15.5)},
-    {"15⅝ and 31¼", seconds_length(15.625)},
-    "only then is the seconds pendulum about 3,166 ft",
+    {"g = 15½, 2g = 31", seconds_length(15.5)},
+    {"g = 15⅝, 2g = 31¼", seconds_length(15.625)},
+    "only then is the seconds pendulum about 3.166 ft",
     [](double b_) { return b_ == within(3.16621, 1e-4, "the length is wrong in its last place"); }};
 
 const Doubtful length{
     "§9, the length of the seconds pendulum",
     {"3,16621", 3.16621},
     {"3,16629", 3.16629},
-    "31,25/ππ = 3,166287; a 9 misread, or a slip in the last place of a five-place logarithm",
+    "31.25/ππ = 3.166287; a 9 misread, or a slip in the last place of a five-place logarithm",
     [](double b_) {
       return Fifty(31.25) / pow(exact::pi(), 2) == within(b_, 0.5e-5, "half of the last place");
     }};

@@ -21,7 +21,8 @@ that its higher
 powers $c^4$, $c^6$ etc. can be neglected. Let $\Theta$ be the time of an infinitely small swing of the same
 pendulum, $\Theta = \pi\sqrt b/\sqrt{2g}$; then
 
-$$ T = \Theta(1 + \tfrac14 cc),\qquad\text{or}\qquad \Theta : T = 1 : 1 + \tfrac14 cc. \tag{1} $$
+$$ \begin{gathered} T = \Theta(1 + \tfrac14 cc),\quad\text{or} \\
+   \Theta : T = 1 : 1 + \tfrac14 cc. \end{gathered} \tag{1} $$
 
 This holds for swings that are small enough; for larger arcs more terms of the series have to be taken.
 
@@ -33,7 +34,7 @@ $$ OD = b\sin\zeta,\qquad AD = b\cos\zeta, \tag{2} $$
 
 and the sagitta is
 
-$$ BD = b(1-\cos\zeta) = 2b\sin^2\tfrac12\zeta = 2bcc. \tag{3} $$
+$$ \begin{aligned} BD &= b(1-\cos\zeta) \\ &= 2b\sin^2\tfrac12\zeta = 2bcc. \end{aligned} \tag{3} $$
 
 ::: margin
 The *sagitta*, arrow, of an arc is the height between arc and chord. Today: the height $h$ through which $O$
@@ -43,7 +44,7 @@ rises.
 This interval is easily measured when the amplitude is given. Call it $d$; then $cc = d/2b$, and for swings
 that are small enough
 
-$$ \Theta : T = 1 : 1 + \frac{d}{8b},\qquad\text{or}\qquad \Theta : T = 8b : 8b + d, \tag{4} $$
+$$ \Theta : T = 1 : 1 + \frac{d}{8b} = 8b : 8b + d, \tag{4} $$
 
 that is, as $8AB$ to $8AB + BD$. This rule, he says, is already in common use among experimenters.
 
@@ -165,6 +166,8 @@ TELL
 }
 
 /*!
+{{table rows}}
+
 Swings of {{zeta_second|3}} to each side lose a second a day against infinitely small ones, and there the
 rule is all that is needed. At 10° to each side it is wrong by only {{missed_10|2}} seconds in a day, at 30°
 by {{missed_30|3}}.
@@ -388,7 +391,7 @@ The pendulum of a clock swings 2° to each side. In a cold night the oil stiffen
 how much does the clock's day change?
 
 answer: It gains 0.64 seconds a day: 6.58 are lost at 2° and 5.94 at 1.9°. As the loss goes with the
-square of the arc, twice five per cent less arc is a tenth of the loss.
+square of the arc, five per cent less of the arc take away nearly ten of the loss.
 :::
 */
 

@@ -141,6 +141,8 @@ TELL
 }
 
 /*!
+{{table rows}}
+
 An amplitude of exactly the double that is called π is not 180° but {{short_of_pi|e4}} rad short of it, and
 the swing takes no infinite time but {{nearest_pi|8}} Θ.
 

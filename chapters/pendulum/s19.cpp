@@ -95,6 +95,8 @@ TELL
 }
 
 /*!
+{{table rungs}}
+
 ::: figure pendulum-19
 alt: Part of each integral that is complete, against omega over alpha from 1 to 4. The curves for the powers 3
 to 11 rise the sooner the higher the power; the curve for the first power hardly rises at all.
@@ -148,32 +150,32 @@ bool is_integral(double reading, int power)
   return reading == within_relative(quadrature(power, 30_deg, 75_deg), 1e-14, "a few roundings");
 }
 
-const Emendation powers{
-    "§19, the powers under dω",
-    {"sinⁿω on the left, sinⁿ⁻²ω on the right", [] { return integral(4) - 0.75 * integral(2); }},
-    {"sinⁿ⁺¹ω, sinⁿ⁻¹ω", [] { return integral(5) - 0.75 * integral(3); }},
-    "left and right must differ by the two ends alone, here for n = 4",
-    [](double ends) {
-      return ends == within_relative(rung(4, 30_deg, 75_deg, 0.), 1e-14, "a few roundings");
-    }};
+const Emendation powers{"§19, the powers under dω, here for n = 4",
+                        {"∫ dω/sin⁴ω = … + ¾ ∫ dω/sin²ω", [] { return integral(4) - 0.75 * integral(2); }},
+                        {"∫ dω/sin⁵ω = … + ¾ ∫ dω/sin³ω", [] { return integral(5) - 0.75 * integral(3); }},
+                        "left and right must differ by the two ends alone",
+                        [](double ends) {
+                          return ends
+                                 == within_relative(rung(4, 30_deg, 75_deg, 0.), 1e-14, "a few roundings");
+                        }};
 
 const Emendation denominators{
-    "§19, under the cosines",
-    {"sin²α, sin²ω in every line, for n = 4 too",
+    "§19, under the cosines, here for n = 4",
+    {"cos α/(4 sin²α) − cos ω/(4 sin²ω)",
      [] { return rung(2, 30_deg, 75_deg, 0.) / 2 + 0.75 * integral(3); }},
-    {"sinⁿα, sinⁿω; for n = 4 the fourth powers", [] { return rung(4, 30_deg, 75_deg, integral(3)); }},
-    "§18 has them",
+    {"cos α/(4 sin⁴α) − cos ω/(4 sin⁴ω)", [] { return rung(4, 30_deg, 75_deg, integral(3)); }},
+    "§18 has the nth powers; our copy has squares in every line",
     [](double right) { return is_integral(right, 5); }};
 
 const Emendation logarithm{
     "§19, n = 2",
-    {"½ ∫ tg ½ω/tg ½α, an integral over ω",
+    {"½ ∫ tg ½ω/tg ½α",
      [] {
        const double tangents = -2 * std::log(std::cos(75_deg / 2) / std::cos(30_deg / 2));  // ∫ tg ½ω dω
        return rung(2, 30_deg, 75_deg, tangents / std::tan(15_deg));
      }},
     {"½ l (tg ½ω/tg ½α)", [] { return rung(2, 30_deg, 75_deg, ladder(30_deg, 75_deg)[1]); }},
-    "§17 has found it",
+    "§17 has found it; an integral over ω would be another number",
     [](double right) { return is_integral(right, 3); }};
 
 /*!

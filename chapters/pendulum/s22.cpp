@@ -131,7 +131,8 @@ TELL
 }
 
 /*!
-The six terms that he writes make {{sum|6}}, and {{short_by|3}} is still to come: that is a third of the sum.
+The six terms that he writes make {{sum|6}}, and {{short_by|3}} is still to come: that is nearly a third of
+the whole.
 To get fifteen digits by adding, {{for_15_digits|e1}} terms would be needed. So the whole column brings
 $l2\cdot\cos\alpha$ to the time, where {{sec pendulum.17}}, after two terms, had a quarter of $\cos\alpha$.
 
@@ -231,9 +232,9 @@ const Emendation minus{"§22, the formula for the sum",
 const Emendation middle{"§22, (4)",
                         {"−∫ u du/(1−uu)", 0.5 * std::log(1 - 0.36)},
                         {"−∫ du/(1−uu)", -std::atanh(0.6)},
-                        "the logarithm that follows is its value, here from 0 to u = 0,6",
+                        "the logarithm that follows is its value, here from 0 to u = 0.6",
                         [](double integral) {
-                          return integral == within_ulps(-log(Fifty(4)) / 2, 2, "½ l (1,6/0,4) is ½ l 4");
+                          return integral == within_ulps(-log(Fifty(4)) / 2, 2, "½ l (1.6/0.4) is ½ l 4");
                         }};
 
 /*!

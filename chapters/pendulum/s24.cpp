@@ -175,8 +175,8 @@ CHECK_THAT("(6) is the sum of the parts, and W but for one and the same constant
 
 /*!
 Our copy has many slips here: it repeats the damage of {{sec pendulum.23}} in the three parts of $V$, and
-adds wrong powers and signs and a lost member. The readings are tried by quadrature from $v = 0{,}3$ to
-$0{,}6$.
+adds wrong powers and signs and a lost member. The readings are tried by quadrature from $v = 0.3$ to
+$0.6$.
 */
 
 double rise(Fifty (*f)(const Fifty&))
@@ -212,11 +212,12 @@ const Emendation cubes{
       return rise(part_2) == within_ulps(second, 2, "roundings");
     }};
 
-const Emendation differential{"§24, (4), left side",
-                              {"ddv/v³ l(1+√(1−vv)), nothing if dv is constant", 0},
-                              {"dv/v³ l(1+√(1−vv))", [] { return rise(part_3); }},
-                              "it is the third part of V, over v",
-                              is_third};
+const Emendation differential{
+    "§24, (4), left side",
+    {"ddv/v³ l(1+√(1−vv))", 0},
+    {"dv/v³ l(1+√(1−vv))", [] { return rise(part_3); }},
+    "it is the third part of V, over v; a second differential is nothing, dv being constant",
+    is_third};
 
 const Emendation minus{
     "§24, (5)",

@@ -78,6 +78,8 @@ TELL
 }
 
 /*!
+{{table loss}}
+
 ::: figure pendulum-25
 alt: Three things against v, both scales logarithmic. The greatest part rises with slope minus two as v grows
 small, the whole falls with slope two. What sixteen digits make of the whole follows it down to a ten

@@ -40,7 +40,7 @@ $$ C + \tfrac14 - \tfrac14\,l2 = 0, \qquad\text{that is}\qquad C = \tfrac14\,l2 
 ## The program
 
 The three steps with a $v$ that is small but not nothing, in fifty digits, because at $v = 10^{-11}$ the
-parts that destroy each other have 22 before the comma.
+parts that destroy each other have 22 digits before the point.
 */
 
 Fifty root_member(const Fifty& v)  // (1), the right side
@@ -134,7 +134,7 @@ In our copy the minus and the eighth of {{eq 1}} are lost, the eighth in {{eq 3}
 const Emendation member{"§26, (1)",
                         {"1/(4vv) + ¼", 25.25},
                         {"−1/(4vv) + ⅛", -24.875},
-                        "the member with its root, here at v = 0,1",
+                        "the member with its root, here at v = 0.1",
                         [](double member) {
                           return member
                                  == within(-std::sqrt(0.99) / 0.04, 3.2e-4, "vv/32, and a little more");
@@ -146,13 +146,13 @@ const Emendation eighth{"§26, (3)",
                         "only so it comes to C + ¼ − ¼ l 2, as our copy has it, and vanishes with v",
                         [](double eighth) {
                           const Fifty rest = expression(Fifty("0.01"), C) - Fifty(1) / 8;
-                          return rest + eighth == within(0, 7e-6, "vv/16 at v = 0,01");
+                          return rest + eighth == within(0, 7e-6, "vv/16 at v = 0.01");
                         }};
 
 const Emendation quarter{"§26, (2), four times",
                          {"½ vv", 0.005},
                          {"¼ vv", 0.0025},
-                         "half of ½ vv, since 2 was taken out; (3) has it; here at v = 0,1",
+                         "half of ½ vv, since 2 was taken out; (3) has it; here at v = 0.1",
                          [](double subtracted) {
                            return std::log(2) - subtracted
                                   == within(std::log(1 + std::sqrt(0.99)), 1e-5, "3/32 of v to the fourth");

@@ -78,6 +78,8 @@ TELL
 }
 
 /*!
+{{table lines}}
+
 The logarithms of the powers are too large by one or two units of the last place, because what is doubled had
 been rounded; so it was done, and it does no harm. The series is another matter. Its second term is
 {{second_term|6}}, its third {{third_term|3}}, and no reckoning makes more of them than {{factor|8}}.
@@ -129,7 +131,7 @@ nevertheless right. Whoever looks for the slip will find that the third term wit
 const Doubtful the_series{"§30, (3), the sum of the series",
                           {"1,0004801", 1.0004801},
                           {"1,0004762", 1.0004762},
-                          "1 + ¼sin²α alone is 1,0004757, and all the rest is half a millionth",
+                          "1 + ¼sin²α alone is 1.0004757, and all the rest is half a millionth",
                           [](double reading) {
                             const Fifty m = pow(sin(exact::pi() / 72), 2);
                             const Fifty sum = 1 + m / 4 + 9 * m * m / 64 + 25 * m * m * m / 256;

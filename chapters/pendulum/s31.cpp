@@ -82,6 +82,8 @@ TELL
 }
 
 /*!
+{{table lines}}
+
 From the factor of our copy the table gives {{product_printed|8}}, which rounds to {{product_printed|6}}. To
 round to what he has, the factor would have to lie between {{good_from|8}} and {{good_to|8}}, and the
 true one does. Only if every logarithm were cut off at its seventh place, and the product ({{product_cut|8}})
@@ -143,7 +145,7 @@ What is told follows from the product's decimals and two exact factors, and the 
 time itself:
 */
 
-CHECK_THAT("the factors told give 3,826745 and 3,826755, and the true column is that of the exact time")
+CHECK_THAT("the factors told give 3.826745 and 3.826755, and the true column is that of the exact time")
 {
   const Fifty logarithms = Fifty("2.3025851") * Fifty("1.6611437");
   for(const Told& now : told_at("", "eta=1", "eta=90"))

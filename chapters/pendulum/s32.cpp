@@ -70,6 +70,8 @@ TELL
 }
 
 /*!
+{{table lines}}
+
 The first line is too small by two units of its last place. The slip is no misreading, for he
 adds with it: from 9.8408255 the sum would be 9.8404120. The same number serves him again in {{sec
 pendulum.36}}. In neither example does it touch the fifth decimal, and nor does all that he leaves out here,

@@ -96,6 +96,8 @@ TELL
 }
 
 /*!
+{{table lines}}
+
 For this angle {{terms_needed}} terms are enough.
 
 ::: figure pendulum-34

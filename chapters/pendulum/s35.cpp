@@ -102,6 +102,8 @@ TELL
 }
 
 /*!
+{{table look_ups}}
+
 The first logarithm is cut off where it should have been rounded up. The third is neither rounded nor cut off,
 but a unit too large. The one makes good the other, and the sum is right. The number that belongs to it is
 {{antilogarithm|8}}; Euler cuts it off at 5,43461, where 5,43462 is nearer, and nearer to the true member too,

@@ -74,6 +74,8 @@ TELL
 }
 
 /*!
+{{table lines}}
+
 ::: margin
 Today: $T/\Theta \approx \frac2\pi\ln\frac8\eta$ near the top.
 :::
