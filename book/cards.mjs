@@ -3,19 +3,19 @@
 import { claims, table, tableEnd, verdict } from './claims.mjs';
 import { escape } from './escape.mjs';
 import { field } from './live/fields.mjs';
-import { texOf } from './tex.mjs';
+import { formulasIn, texOf } from './tex.mjs';
 
 export const sigla = { erratum: '⁕', emendation: '†', doubtful: '‡', undecided: '◇' };
 
-/** Words of the apparatus: a formula where they are one. */
+/** Words of the apparatus: a formula where they are one, and where they have some, these. */
 function words(text, formulas) {
-  const tex = texOf(text);
+  const whole = texOf(text);
+  const parts = whole === null ? formulasIn(text) : ['', whole];
   try {
-    if (tex) return formulas.set(tex, false);
+    return parts.map((part, i) => (i % 2 ? formulas.set(part, false) : escape(part))).join('');
   } catch {
-    // no formula after all
+    return escape(text); // no formula after all
   }
-  return escape(text);
 }
 
 /** An entry of the apparatus in words; `place` is where it stands in the account, `home` the section it is of. */
@@ -31,13 +31,14 @@ export function reading(entry, tried, formulas, { place = '', home = '' }) {
     entry.kind === 'undecided'
       ? 'The proof cannot tell them apart.'
       : 'The proof fails with the first and with others, and holds with the second.';
-  const where = place ? `<a href="#${place}">${escape(entry.where)}</a>` : escape(entry.where);
+  const concerned = words(entry.where, formulas);
+  const where = place ? `<a href="#${place}">${concerned}</a>` : concerned;
   return (
     `<p class="reading"><span class="siglum" aria-hidden="true">${sigla[entry.kind]}</span> ` +
     `<span class="kind">${entry.kind}</span>${home} ` +
     `<span class="where">${where}</span>: ${what} <span class="has">` +
     `${words(entry.copy, formulas)}</span>, ${against} ` +
-    `<span class="right">${words(entry.right, formulas)}</span>; ${escape(entry.because)}. <span class="proof">` +
+    `<span class="right">${words(entry.right, formulas)}</span>; ${words(entry.because, formulas)}. <span class="proof">` +
     `${!tried.passed ? verdict(false) : home ? '' : proof}</span></p>`
   );
 }

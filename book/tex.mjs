@@ -1,7 +1,7 @@
 // The readings of the apparatus are plain words, for a terminal. Where such words are a formula, they are set as one:
 // here they become TeX.
 
-const functions = { sin: '\\sin', cos: '\\cos', tan: '\\tan', cot: '\\cot', log: '\\log', ln: '\\ln', tg: '\\operatorname{tg}' };
+const functions = { sin: '\\sin', cos: '\\cos', tan: '\\tan', cot: '\\cot', log: '\\log', ln: '\\ln', tg: '\\operatorname{tg}', tang: '\\operatorname{tang}' };
 const signs = {
   '−': '-', '·': '\\cdot ', '×': '\\times ', '±': '\\pm ', '∓': '\\mp ', '≈': '\\approx ', '≤': '\\le ', '≥': '\\ge ', '…': '\\dots ',
   '∫': '\\int ', '∞': '\\infty ', '′': "'", '°': '^\\circ ', '+': '+', '=': '=', '<': '<', '>': '>', '(': '(', ')': ')',
@@ -67,6 +67,53 @@ export function texOf(text) {
   }
   return pending || roots.length ? null : out;
 }
+
+// A piece between two spaces that may be part of a formula; what makes it one (a sign, a Greek letter, a function).
+const symbol = /[√∫−=<>/·×±≈≤≥½⅓⅔¼¾⅛⅜⅝⅞²³⁴⁵⁶⁷⁸⁹ⁿ\p{Script=Greek}]|(?<!\p{L})(?:sin|cos|cot|tang?|tg|ln|log)(?!\p{L})/u;
+const letters = /^(?:(\p{L})\1|dd?\p{L}|l\p{L}|sin|cos|tang?|cot|tg|ln|log|etc)$/u;
+const plainWords = /^(?:do|day|due|did|a|I|'s)$/;
+const ofFormula = (piece) =>
+  piece !== '' &&
+  !/^\(?\(?\p{L}?\d*\)$|§|['’"“”]/u.test(piece) &&
+  !plainWords.test(piece) &&
+  [...piece.matchAll(/(\d?)([A-Za-z]{2,})/g)].every(([, digit, word]) => letters.test(word) || (digit && word.length < 3)) &&
+  (texOf(piece.replace(/[()[\]]/g, '')) !== null || /^√?[()[\]]*$/.test(piece));
+
+/** What may stand beside a formula among words: a word, a reference, or nothing. */
+const beside = (piece) =>
+  piece === undefined || english.test(piece) || /^(?:are|has|here|nor|was|§§?\d+|\(\w\))$/.test(piece);
+
+/**
+ * Words with formulas among them, in turn: [words, formula, words, ...]. A run of pieces is a formula where it has a sign, a
+ * Greek letter or a function, is whole, and has words on both sides; all else stays with the words.
+ */
+export function formulasIn(text) {
+  const pieces = text.split(' ').map((piece) => /^(.*?)((?:(?<!etc)\.|[,;:])*)$/u.exec(piece));
+  const out = [''];
+  for (let from = 0; from < pieces.length; ) {
+    let to = from; // behind the run that begins here
+    while (to < pieces.length && ofFormula(pieces[to][1]) && (to === from || !pieces[to - 1][2])) to += 1;
+    const run = pieces.slice(from, to).map(([, core]) => core).join(' ');
+    const before = from && (!pieces[from - 1][2] || !pieces[from - 1][1]) ? pieces[from - 1][1] : undefined;
+    const after = to < pieces.length && to > from && !pieces[to - 1][2] ? pieces[to][1] : undefined;
+    if (to > from && isWhole(run) && beside(before) && beside(after)) {
+      out.push(texOf(run), pieces[to - 1][2]);
+      from = to;
+    } else {
+      to = Math.max(to, from + 1);
+      out[out.length - 1] += pieces.slice(from, to).map(([piece]) => piece).join(' ');
+      from = to;
+    }
+    if (from < pieces.length) out[out.length - 1] += ' ';
+  }
+  return out;
+}
+
+const isWhole = (run) =>
+  symbol.test(run) && !/^[^\p{L}\d(√∫−\u00bc-\u00be⅓-⅞[]|[^\p{L}\d)\]°′²³¹⁴-⁹ⁿ\u00bc-\u00be⅓-⅞…]$|√\d+\p{L}|(?:sin|cos|tang?|cot|tg|ln|log|∫)$/u.test(run) &&
+  balanced(run) && texOf(run) !== null;
+
+const balanced = (text) => [...text].reduce((depth, c) => (depth < 0 ? depth : depth + (c === '(' ? 1 : c === ')' ? -1 : 0)), 0) === 0;
 
 const greek = 'alpha α beta β gamma γ delta δ epsilon ε varepsilon ε zeta ζ eta η theta θ vartheta ϑ iota ι kappa κ lambda λ mu μ nu ν xi ξ pi π rho ρ sigma σ tau τ upsilon υ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ Theta Θ Lambda Λ Xi Ξ Pi Π Sigma Σ Phi Φ Psi Ψ Omega Ω'; // prettier-ignore
 const names = new Map(

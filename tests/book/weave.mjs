@@ -11,7 +11,7 @@ import { palette } from '../../book/figure.mjs';
 import { blocks, named } from '../../book/section.mjs';
 import { rows } from '../../book/table.mjs';
 import { asked, folded } from '../../book/search.mjs';
-import { readable, texOf } from '../../book/tex.mjs';
+import { formulasIn, readable, texOf } from '../../book/tex.mjs';
 
 const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../..');
 let place;
@@ -599,6 +599,11 @@ test('readings become formulae where they are ones, and readable again where the
   assert.equal(texOf('[ackk] / [2aafx(…)]'), '[ackk]/[2aafx(\\dots )]');
   assert.equal(texOf('the longer (maius)'), null);
   assert.equal(texOf('15½ and 31'), null);
+  assert.deepEqual(formulasIn('its derivative must be 1/sinⁿ⁺¹ω, here at v = ½'), [
+    'its derivative must be ', '1/\\sin ^{n+1}ω', ', here at ', 'v=\\tfrac12 ', '',
+  ]); // prettier-ignore
+  for (const words of ['the longer (maius)', 'GZ : GH = 1.11', 'dds is a ddΦ', 'a 3 read or set as a 5', '(1) with c', 't√2gc'])
+    assert.deepEqual(formulasIn(words), [words]); // what is no formula, or may be none
   assert.equal(readable('\\frac{t\\sqrt{2g}}{\\sqrt b} = \\tfrac12\\ln 2^{-3}'), '(t√(2g))/(√b) = ½ln 2⁻³');
 });
 test('a phrase in quotation marks is looked up as a phrase', () => {
