@@ -31,7 +31,7 @@ function legend(points) {
   const families = [...new Set(points.map((p) => p.family).filter(Boolean))].filter(
     (f) => points.filter((p) => p.family === f).length > 1,
   );
-  const colours = { ours: 'blue is this edition', Euler: 'orange-red Euler', classic: 'green a classical way', peer: 'black another way' };
+  const colours = { ours: 'blue is this edition', Euler: 'orange-red Euler', classic: 'green a classical way', peer: 'the colour of the letters another way' };
   const kinds = Object.keys(colours).filter((kind) => points.some((p) => p.kind === kind));
   return [
     'Left and low is better.',
