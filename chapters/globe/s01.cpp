@@ -36,7 +36,8 @@ To see it, a homogeneous ball of radius $a$ is loaded with two pellets of equal 
 of the whole. Their middle lies at the depth $d$ below the centre; one is shifted up and to one side,
 the other down and to the other side, by the same amounts. Then $G$ stays in the middle, at
 
-$$ c = qd, \qquad kk = \tfrac25(1-q)aa + q(1-q)dd + q\cdot\textit{shift}^2, \tag{B} $$
+$$ \begin{aligned} c &= qd, \\
+   kk &= \tfrac25(1-q)aa + q(1-q)dd\\ &\quad + q\cdot\textit{shift}^2, \end{aligned} \tag{B} $$
 
 $$ \sum m\,yz = q\cdot\textit{shift}\cdot\textit{side}. \tag{C} $$
 

@@ -15,9 +15,9 @@ gravity $G$ downwards along $GP$ with the force $P$. Since the ball lies on the 
 there, and the plane presses back just as much, along $SC$; this force, still unknown, is called Π. And if
 friction is admitted, it is always proportional to this pressure, and therefore $\lambda\Pi$:
 
-$$ \lambda\Pi \;\text{ along }\;
-   \begin{cases} SI, & \text{if } ds > a\,d\Phi,\\ SO, & \text{if } ds < a\,d\Phi, \end{cases}
-   \qquad \lambda = \tfrac13{{entry usual}}, \tag{1} $$
+$$ \lambda\Pi \;\text{ along }
+   \begin{cases} SI, \text{ if } ds > a\,d\Phi,\\ SO, \text{ if } ds < a\,d\Phi, \end{cases}
+   \quad \lambda = \tfrac13{{entry usual}}, \tag{1} $$
 
 where for λ, which is the fraction commonly taken when there is real rubbing, any other may be put. In the
 case $ds = a\,d\Phi$ nothing rubs. Then, and this he asks the reader to mark, either there is no friction at
@@ -33,9 +33,9 @@ whose $S$ is at rest. It rolls on if the plane can give what rolling needs. That
 backwards, and a pressure Π, both of which follow from the equations of {{sec globe.25}} by Φ and
 $w = d\Phi/dt$ alone; so
 
-$$ \begin{aligned} |F| &\le \mu\Pi: &&\text{it rolls;}\\
-   F &> \mu\Pi: &&\text{it begins to scrape towards } O;\\
-   F &< -\mu\Pi: &&\text{it begins to scrape towards } I. \end{aligned} \tag{A} $$
+$$ \begin{aligned} |F| &\le \mu\Pi: \text{ it rolls;}\\
+   F &> \mu\Pi: \text{ it begins to scrape to } O;\\
+   F &< -\mu\Pi: \text{ it begins to scrape to } I. \end{aligned} \tag{A} $$
 
 And two things are passed over. The plane cannot pull: when $2g + cww\cos\Phi$ becomes negative the ball
 leaves it, with or without friction. And where it does scrape, more pressure makes more friction, which may
@@ -43,8 +43,8 @@ make more pressure still. From the equations of {{sec globe.08}} the pressure co
 denominator is $kk - c\sin\Phi(\lambda y - c\sin\Phi)$, with $y = a - c\cos\Phi$; the motion is determined
 by them only as long as that is positive at every Φ, for both signs of λ,
 
-$$ \mu < \frac{kk + cc\sin^2\Phi}{c\,y\,|\sin\Phi|}, \qquad\text{for which}\quad
-   \mu < \frac{2k}{a+c} \quad\text{is enough}; \tag{B} $$
+$$ \begin{gathered} \mu < \frac{kk + cc\sin^2\Phi}{c\,y\,|\sin\Phi|}, \quad\text{for which} \\
+   \mu < \frac{2k}{a+c} \quad\text{is enough}; \end{gathered} \tag{B} $$
 
 for the square of $k - c\,|\sin\Phi|$ is not negative, and $y$ is $a + c$ at most.
 

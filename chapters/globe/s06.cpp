@@ -199,8 +199,8 @@ TELL
 The equations are held against Lagrange's, for the coordinates $s$ and Φ, of which neither is a coordinate
 of $G$. With $F$ for the friction over $P/2g$ they are
 
-$$ \begin{aligned} \frac{dds - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi}{dt^2} &= -F,\\
-   \frac{(cc+kk)\,dd\Phi - c\,dds\cos\Phi}{dt^2} &= -2gc\sin\Phi + aF, \end{aligned} \tag{B} $$
+$$ \begin{aligned} &\frac{dds - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi}{dt^2} = -F,\\
+   &\frac{(cc+kk)\,dd\Phi - c\,dds\cos\Phi}{dt^2}\\ &\quad = -2gc\sin\Phi + aF, \end{aligned} \tag{B} $$
 
 and $F$ is λ times what {{eq 2}} has for Π.
 */

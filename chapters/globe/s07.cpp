@@ -21,8 +21,8 @@ $$ \lambda\Pi\cdot PG = \lambda\Pi(a - c\cos\Phi), \tag{2} $$
 
 and by this the turning is quickened. To determine it the principles of motion therefore supply
 
-$$ \text{III.}\quad \frac{Pkk\,dd\Phi}{2g{{entry two_g}}\,dt^2}
-   = \lambda\Pi(a - c\cos\Phi) - \Pi c\sin\Phi. \tag{3} $$
+$$ \begin{aligned} \text{III.}\quad \frac{Pkk\,dd\Phi}{2g{{entry two_g}}\,dt^2}
+   = \lambda\Pi&(a - c\cos\Phi)\\ &- \Pi c\sin\Phi. \end{aligned} \tag{3} $$
 
 So three equations are found, out of which the whole motion of the ball must be determined. As many are
 indeed needed, for three things are unknown at each time: the way $s$ and the angle Φ, and besides them the
@@ -43,10 +43,10 @@ every Φ.
 
 Held at rest at the angle Φ and let go, the ball begins to turn with
 
-$$ \frac{dd\Phi}{dt^2} = \begin{cases}
-   \displaystyle -\frac{2gc\sin\Phi}{kk + cc\sin^2\Phi} & \text{on a smooth plane,}\\[2ex]
-   \displaystyle -\frac{2gc\sin\Phi}{kk + aa + cc - 2ac\cos\Phi} & \text{when it rolls;}
-   \end{cases} \tag{B} $$
+$$ \begin{aligned} \frac{dd\Phi}{dt^2} &= -\frac{2gc\sin\Phi}{kk + cc\sin^2\Phi}
+   &&\text{smooth,}\\[1ex]
+   \frac{dd\Phi}{dt^2} &= -\frac{2gc\sin\Phi}{aa+cc+kk - 2ac\cos\Phi} &&\text{rolling;}
+   \end{aligned} \tag{B} $$
 
 rolling is the slower, $G$ being farther from $S$ than from the vertical through it, and needs
 $\lambda = c\sin\Phi\,y/(kk + yy)$.

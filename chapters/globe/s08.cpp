@@ -18,8 +18,8 @@ $$ \Pi = P + \frac{P\,ddy}{2g{{entry two_g}}\,dt^2}; \tag{1} $$
 put into the other two, it makes of them
 
 $$ \begin{aligned} \text{I.}\quad \frac{ddx}{2g\,dt^2} &= -\lambda - \frac{\lambda\,ddy}{2g\,dt^2},\\
-   \text{II.}\quad \frac{kk\,dd\Phi}{2g\,dt^2} &= (a\lambda - \lambda c\cos\Phi - c\sin\Phi)
-   \Bigl(1 + \frac{ddy}{2g\,dt^2}\Bigr). \end{aligned} \tag{2} $$
+   \text{II.}\quad \frac{kk\,dd\Phi}{2g\,dt^2} &= (a\lambda - \lambda c\cos\Phi - c\sin\Phi)\\
+   &\quad\cdot\Bigl(1 + \frac{ddy}{2g\,dt^2}\Bigr). \end{aligned} \tag{2} $$
 
 If for $x$ and $y$ their values of {{sec globe.03}} are put, these take the forms
 
@@ -47,8 +47,8 @@ $$ \frac{dx}{dt} + \lambda\Bigl(\frac{dy}{dt} + 2g\,t\Bigr) = \text{Const.} \tag
 
 In {{eq 4}} neither the time is contained nor $s$. With
 
-$$ \begin{gathered} q = \lambda(a - c\cos\Phi) - c\sin\Phi, \qquad M = kk - cq\sin\Phi,\\
-   J = \int\frac{a\cos\Phi - c}M\,d\Phi \end{gathered} \tag{B} $$
+$$ \begin{gathered} q = \lambda(a - c\cos\Phi) - c\sin\Phi, \\
+   M = kk - cq\sin\Phi, \qquad J = \int\frac{a\cos\Phi - c}M\,d\Phi \end{gathered} \tag{B} $$
 
 it is $M\,dd\Phi = q\,(2g\,dt^2 + c\,d\Phi^2\cos\Phi)$, a linear equation for the square of $w = d\Phi/dt$,
 and

@@ -15,7 +15,8 @@ using namespace globe;
 Multiplied by $2d\Phi$ the equation of the smooth plane can be integrated, and gives how fast the ball
 turns in every position. That equation, of {{sec globe.10}}, was
 
-$$ kk\,dd\Phi + cc\,dd\Phi\sin^2\Phi + cc\,d\Phi^2\sin\Phi\cos\Phi = -2gc\,dt^2\sin\Phi. $$
+$$ \begin{aligned} kk\,dd\Phi + cc\,dd\Phi\sin^2\Phi &+ cc\,d\Phi^2\sin\Phi\cos\Phi\\
+   &= -2gc\,dt^2\sin\Phi. \end{aligned} $$
 
 Its first member times $2d\Phi$ is the differential of $kk\,d\Phi^2$; the second and the third together are
 that of $cc\,d\Phi^2\sin^2\Phi$; and the right side is that of $4gc\,dt^2\cos\Phi$. So, with a constant
@@ -41,7 +42,7 @@ Neither $f$ nor the radius $a$ is in it: the progress leaves the turning alone. 
 {{eq 4}} here, but all that follows depends on one number in it. Let $h$ be the energy at the lowest place
 over what it takes to stand still at the top; then $\Gamma = c(2h-1)$ and
 
-$$ h = \frac{\zeta\zeta kk}{8gc}, \qquad
+$$ h = \frac{\zeta\zeta kk}{8gc}, \quad
    \frac{d\Phi^2}{dt^2} = \frac{8gc\,(h - \sin^2\frac12\Phi)}{kk + cc\sin^2\Phi}. \tag{A} $$
 
 If $\Gamma < c$, that is $h < 1$, the ball rocks and turns back where $\sin^2\frac12\Phi = h$; if

@@ -23,8 +23,8 @@ $$ P\Bigl(\frac{dx^2}{dt^2} + \frac{dy^2}{dt^2}\Bigr), \tag{2} $$
 
 where $dx:dt = f$ by {{sec globe.10}}, and, since $dy = c\,d\Phi\sin\Phi$,
 
-$$ \frac{dy^2}{dt^2} = \frac{d\Phi^2}{dt^2}cc\sin^2\Phi
-   = \frac{(4gc\cos\Phi + \zeta\zeta kk - 4gc)\,cc\sin^2\Phi}{kk + cc\sin^2\Phi}. \tag{3} $$
+$$ \begin{aligned} \frac{dy^2}{dt^2} &= \frac{d\Phi^2}{dt^2}cc\sin^2\Phi \\
+   &= \frac{(4gc\cos\Phi + \zeta\zeta kk - 4gc)\,cc\sin^2\Phi}{kk + cc\sin^2\Phi}. \end{aligned} \tag{3} $$
 
 Added together they lose their denominator, and the whole living force is
 

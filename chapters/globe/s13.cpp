@@ -20,7 +20,7 @@ The time is an integral that in general, Euler says, cannot be found but by appr
 two centres coincide gives it away. From the velocity to the motion is one more integration. In
 {{sec globe.11}} he had, with ζ for the angular velocity at the lowest place,
 
-$$ \frac{d\Phi^2}{dt^2}(kk + cc\sin^2\Phi) = \zeta\zeta kk - 4gc(1-\cos\Phi), \tag{1} $$
+$$ \begin{aligned} \frac{d\Phi^2}{dt^2}&(kk + cc\sin^2\Phi) \\ &= \zeta\zeta kk - 4gc(1-\cos\Phi), \end{aligned} \tag{1} $$
 
 and drawing the root he gets
 
@@ -57,8 +57,8 @@ One is Euler's Case II, $h = 1$ ({{sec globe.17}}). For the other, write the rad
 $cc\,(r - \cos\Phi)(r + \cos\Phi)$ with $r = \sqrt{1 + kk:cc}$, and the one below as
 $4gc\,(2h - 1 + \cos\Phi)$. If $2h - 1 = r$, the second factor goes out:
 
-$$ h_0 = \tfrac12\Bigl(1 + \sqrt{1 + \tfrac{kk}{cc}}\Bigr), \qquad
-   d\tau = \frac c{\sqrt2}\sqrt{r - \cos\Phi}\;d\Phi. \tag{B} $$
+$$ \begin{aligned} h_0 &= \tfrac12\Bigl(1 + \sqrt{1 + \tfrac{kk}{cc}}\Bigr), \\
+   d\tau &= \frac c{\sqrt2}\sqrt{r - \cos\Phi}\;d\Phi. \end{aligned} \tag{B} $$
 
 Thirdly, the time back and forth is not all: a reader wants the angle at a given time, too. The program
 inverts the integral.

@@ -42,11 +42,12 @@ How safe is the neglect? The two terms that he drops are of the same order: $cc\
 the $\frac1{24}\Phi^4$ of the cosine. Keep both to the first order, and write $A = \zeta:n$ and
 $\varphi = nt$; then {{eq 4}} is followed by
 
-$$ \begin{aligned} \Phi = A\sin\varphi
-   &+ A^3\Bigl(\frac1{24} + \bigl(\frac1{48} + \frac{cc}{4kk}\bigr)\cos^2\varphi\Bigr)\sin\varphi \\
-   &- A^3\Bigl(\frac1{16} + \frac{cc}{4kk}\Bigr)\varphi\cos\varphi. \end{aligned} \tag{A} $$
+$$ \begin{aligned} \Phi = A&\sin\varphi
+   - A^3\Bigl(\frac1{16} + \frac{cc}{4kk}\Bigr)\varphi\cos\varphi \\
+   &+ A^3\Bigl(\frac1{24} + \bigl(\frac1{48} + \frac{cc}{4kk}\bigr)\cos^2\varphi\Bigr)\sin\varphi.
+   \end{aligned} \tag{A} $$
 
-The last term grows with the time. It is no growing of the motion: it says that the true sine goes a
+The second term grows with the time. It is no growing of the motion: it says that the true sine goes a
 little slower, and since the ball is then each time a little later than {{eq 4}} has it, the error adds
 up. What Euler loses is not the size but the pace. It is lost for a large $c:k$ far sooner than for a
 pendulum, so that "very small" here means small not against a right angle only but also against $k:c$.

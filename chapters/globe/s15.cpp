@@ -45,10 +45,10 @@ $$ \begin{gathered} \frac T{T_0} = \frac2\pi\int \sqrt{\frac{1 + 4q\,X(1-X)}{1-X
 
 and expanded by the powers of $X$, each of whose means is known,
 
-$$ \begin{aligned} \frac T{T_0} = 1 &+ \Bigl(\frac14 + q\Bigr)h
-   + \Bigl(\frac9{64} - \frac{3q}8 - \frac{3qq}4\Bigr)hh \\
-   &+ \Bigl(\frac{25}{256} - \frac{5q}{64} + \frac{15qq}{16} + \frac{5q^3}4\Bigr)h^3 + \cdots
-   \end{aligned} \tag{B} $$
+$$ \begin{aligned} \frac T{T_0} = 1 &+ \Bigl(\frac14 + q\Bigr)h \\
+   &+ \Bigl(\frac9{64} - \frac{3q}8 - \frac{3qq}4\Bigr)hh \\
+   &+ \Bigl(\frac{25}{256} - \frac{5q}{64} + \frac{15qq}{16} + \frac{5q^3}4\Bigr)h^3 \\
+   &+ \cdots \end{aligned} \tag{B} $$
 
 With $q = 0$ it is the pendulum's own series. The rocking keeps its time worse than the pendulum, as long as
 the first term rules: while it turns, the ball has to lift and drop all its weight too. The root in

@@ -20,8 +20,8 @@ $$ \sqrt{kk + cc\sin^2\Phi} = k + \frac{cc}{2k}\sin^2\Phi, \tag{1} $$
 
 and the formula of {{sec globe.13}} becomes
 
-$$ dt = \frac{d\Phi}{\sqrt{\zeta\zeta kk - 4gc(1-\cos\Phi)}}
-   \Bigl(k + \frac{cc}{2k}\sin^2\Phi\Bigr). \tag{2} $$
+$$ dt = \frac{d\Phi\,\bigl(k + \frac{cc}{2k}\sin^2\Phi\bigr)}
+   {\sqrt{\zeta\zeta kk - 4gc(1-\cos\Phi)}}. \tag{2} $$
 
 To make the denominator tractable too, let ζ be so taken that
 
@@ -29,7 +29,8 @@ $$ \zeta\zeta kk = 8gc, \qquad \zeta = \frac{\sqrt{8gc}}k; \tag{3} $$
 
 this is the angular velocity impressed at the beginning. Then
 
-$$ \sqrt{\zeta\zeta kk - 4gc(1-\cos\Phi)} = \sqrt{4gc(1+\cos\Phi)} = \cos\tfrac12\Phi\,\sqrt{8gc}, \tag{4} $$
+$$ \begin{aligned} \sqrt{\zeta\zeta kk - 4gc(1-\cos\Phi)} &= \sqrt{4gc(1+\cos\Phi)} \\
+   &= \cos\tfrac12\Phi\,\sqrt{8gc}, \end{aligned} \tag{4} $$
 
 $$ dt\,\sqrt{8gc} = \frac{d\Phi}{\cos\frac12\Phi}\Bigl(k + \frac{cc}{2k}\sin^2\Phi\Bigr), \tag{5} $$
 
@@ -51,7 +52,8 @@ The smallness of $c$, on the other hand, can be spared, since {{eq 4}} alone mak
 ({{sec globe.17}}); and where it is used, {{eq 1}} errs in one direction. With $X = cc\sin^2\Phi:kk$ it is
 too great by the part
 
-$$ \frac{1+\frac12X}{\sqrt{1+X}} - 1 = \frac{XX}{4\sqrt{1+X}\,(1+\frac12X+\sqrt{1+X})}, \tag{B} $$
+$$ \begin{aligned} &\frac{1+\frac12X}{\sqrt{1+X}} - 1 \\
+   &\quad = \frac{XX}{4\sqrt{1+X}\,(1+\frac12X+\sqrt{1+X})}, \end{aligned} \tag{B} $$
 
 which is less than $\frac18XX$. So each step of the time, and the time itself, comes out a little too long.
 

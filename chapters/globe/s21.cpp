@@ -18,8 +18,9 @@ $$ \zeta\zeta kk = nn \cdot 4gc, \tag{1} $$
 
 $n$ being a very great number. The denominator of the formula of {{sec globe.13}} becomes
 
-$$ \begin{aligned} \sqrt{\zeta\zeta kk - 4gc(1-\cos\Phi)} &= 2\sqrt{gc\,(nn - (1-\cos\Phi))} \\
-   &= 2\sqrt{gc\,(nn - 2\sin^2\tfrac12\Phi)}, \end{aligned} \tag{2} $$
+$$ \begin{aligned} &\sqrt{\zeta\zeta kk - 4gc(1-\cos\Phi)} \\
+   &\quad = 2\sqrt{gc\,(nn - (1-\cos\Phi))} \\
+   &\quad = 2\sqrt{gc\,(nn - 2\sin^2\tfrac12\Phi)}, \end{aligned} \tag{2} $$
 
 and it is to be noted that $\zeta = \dfrac{2n}k\sqrt{gc}{{entry two}}$. With the expansion of
 {{sec globe.16}} in the numerator, for $cc$ is still supposed infinitely small against $kk$,
@@ -51,8 +52,8 @@ Today: $nn = 2h$, where $h$ is the energy over that of the top, as in {{sec glob
 Is {{eq 6}} all that has been neglected? Write $X = cc\sin^2\Phi : kk$ and $Y = 2\sin^2\frac12\Phi : nn$. Then
 the true factor of $k\,d\Phi$ and Euler's are
 
-$$ \frac{\sqrt{1+X}}{\sqrt{1-Y}} = 1 + \tfrac12X + \tfrac12Y
-   + \tfrac14XY + \tfrac38YY - \tfrac18XX + \dots \tag{A} $$
+$$ \begin{aligned} \frac{\sqrt{1+X}}{\sqrt{1-Y}} = 1 &+ \tfrac12X + \tfrac12Y \\
+   &+ \tfrac14XY + \tfrac38YY - \tfrac18XX + \dots \end{aligned} \tag{A} $$
 
 His {{eq 6}} is the $\frac14XY$. But $X$ and $Y$ were each expanded to the first power only, and the squares
 that went out there are small twice over as well. Over a whole turn the three come, on the average, to

@@ -17,17 +17,18 @@ The fast ball's time comes out as its angle and two small sines, and to go back 
 what astronomers do to find the true anomaly of a planet from the mean one. After what has been done in
 {{sec globe.21}} the integration has no difficulty any more. Since
 
-$$ \int d\Phi\,\sin^2\Phi = \int\frac{d\Phi}2\,(1-\cos2\Phi) = \tfrac12\Phi - \tfrac14\sin2\Phi, \tag{1} $$
+$$ \begin{aligned} \int d\Phi\,\sin^2\Phi &= \int\frac{d\Phi}2\,(1-\cos2\Phi) \\
+   &= \tfrac12\Phi - \tfrac14\sin2\Phi, \end{aligned} \tag{1} $$
 
-$$ \int d\Phi\,\sin^2\tfrac12\Phi = \int\frac{d\Phi}2\,(1-\cos\Phi)
-   = \tfrac12\Phi - \tfrac12\sin\Phi, \tag{2} $$
+$$ \begin{aligned} \int d\Phi\,\sin^2\tfrac12\Phi &= \int\frac{d\Phi}2\,(1-\cos\Phi) \\
+   &= \tfrac12\Phi - \tfrac12\sin\Phi, \end{aligned} \tag{2} $$
 
 there comes
 
-$$ \begin{aligned} 2nt\sqrt{gc} &= k\Phi + \frac{cc}{2k}\bigl(\tfrac12\Phi - \tfrac14\sin2\Phi\bigr)
-   + \frac k{nn}\bigl(\tfrac12\Phi - \tfrac12\sin\Phi\bigr) \\
-   &= \Phi\Bigl(k + \frac{cc}{4k} + \frac k{2nn}\Bigr) - \frac{cc}{8k}\sin2\Phi
-   - \frac k{2nn}\sin\Phi. \end{aligned} \tag{3} $$
+$$ \begin{aligned} 2nt\sqrt{gc} &= k\Phi + \frac{cc}{2k}\bigl(\tfrac12\Phi - \tfrac14\sin2\Phi\bigr) \\
+   &\quad + \frac k{nn}\bigl(\tfrac12\Phi - \tfrac12\sin\Phi\bigr) \\
+   &= \Phi\Bigl(k + \frac{cc}{4k} + \frac k{2nn}\Bigr) \\
+   &\quad - \frac{cc}{8k}\sin2\Phi - \frac k{2nn}\sin\Phi. \end{aligned} \tag{3} $$
 
 So the time is easily had for any angle; for the angle at a given time one must use the reduction by which the
 theory of the planets gets the true anomaly out of the mean. The ball can do any number of whole turns, since
@@ -50,7 +51,8 @@ $$ M = \Phi - e_1\sin\Phi - e_2\sin2\Phi, \tag{A} $$
 
 and one comes back by
 
-$$ \Phi = M + e_1\sin M + \bigl(e_2 + \tfrac12e_1e_1\bigr)\sin2M + \dots, \tag{B} $$
+$$ \begin{aligned} \Phi = M &+ e_1\sin M \\
+   &+ \bigl(e_2 + \tfrac12e_1e_1\bigr)\sin2M + \dots, \end{aligned} \tag{B} $$
 
 where what follows is of the third order if $e_2$ counts as of the second. That half a turn takes half the
 time is no merit of the approximation: the velocity depends on $\cos\Phi$ and $\sin^2\Phi$ alone, so that the
@@ -58,8 +60,8 @@ ball goes up just as it comes down, whatever its energy.
 
 The time {{eq 4}} itself wants a correction. The means of the terms that {{sec globe.21}} leaves out give
 
-$$ t = \frac{\pi k}{n\sqrt{gc}}\Bigl(1 + \frac{cc}{4kk} + \frac1{2nn}
-   + \frac9{16n^4} + \frac{cc}{8nnkk} - \frac{3c^4}{64k^4}\Bigr), \tag{C} $$
+$$ \begin{aligned} t = \frac{\pi k}{n\sqrt{gc}}\Bigl(1 &+ \frac{cc}{4kk} + \frac1{2nn} \\
+   &+ \frac9{16n^4} + \frac{cc}{8nnkk} - \frac{3c^4}{64k^4}\Bigr), \end{aligned} \tag{C} $$
 
 and as long as the ball stays on its plane, and $c$ is not greater than $k$, the first of the three new
 members is the greatest in size.
@@ -103,9 +105,11 @@ By how much {{eq 4}} is too great is told by a difference of the integrands, of 
 $x$ for $cc:kk$ times the square of $\sin\Phi$ and $y$ for $2\sin^2\tfrac12\Phi:nn$ Euler has
 $1 + \frac12x + \frac12y$ for
 
-$$ \frac{\sqrt{1+x}}{\sqrt{1-y}} = 1 + \tfrac12x + \tfrac12y + Y + A\,(B - \tfrac12A), \tag{D} $$
+$$ \begin{aligned} \frac{\sqrt{1+x}}{\sqrt{1-y}} = 1 &+ \tfrac12x + \tfrac12y \\
+   &+ Y + A\,(B - \tfrac12A), \end{aligned} \tag{D} $$
 
-$$ A = \sqrt{1+x} - 1, \qquad B = \frac1{\sqrt{1-y}} - 1, \qquad Y = B - \tfrac12y. $$
+$$ \begin{gathered} A = \sqrt{1+x} - 1, \qquad Y = B - \tfrac12y, \\
+   B = \frac1{\sqrt{1-y}} - 1. \end{gathered} $$
 */
 
 Fifty late()  // (4) less the exact time, as a part of this

@@ -59,7 +59,8 @@ In flight $G$ falls freely and the turning is even. Let ψ be what Φ lacks of 1
 angle turned since. Since there $cw^2\cos\psi = 2g$, time and $g$ go out, and the ball's height above the
 plane is, $w$ being whatever it may,
 
-$$ c\,\bigl((x - \sin x)\sin\psi - (\tfrac12xx - 1 + \cos x)\cos\psi\bigr). \tag{E} $$
+$$ \begin{aligned} c\,\bigl(&(x - \sin x)\sin\psi \\
+   &- (\tfrac12xx - 1 + \cos x)\cos\psi\bigr). \end{aligned} \tag{E} $$
 
 It rises as $x^3$, without a jerk, and is down again where
 

@@ -30,8 +30,8 @@ $$ \frac{kk\,dd\Phi}{ddx{{entry over_ddx}}} = -a + c\cos\Phi + \frac c\lambda\si
 
 By {{sec globe.03}} $ddx = dds - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi$, and now $dds = a\,dd\Phi$. So
 
-$$ \frac{kk\,dd\Phi}{a\,dd\Phi{{entry radius}} - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi}
-   = -a + c\cos\Phi + \frac c\lambda\sin\Phi, \tag{2} $$
+$$ \begin{aligned} &\frac{kk\,dd\Phi}{a\,dd\Phi{{entry radius}} - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi} \\
+   &\quad = -a + c\cos\Phi + \frac c\lambda\sin\Phi, \end{aligned} \tag{2} $$
 
 from which $\lambda$ is had as soon as $dd\Phi$ and $d\Phi$ are known. Our copy has in {{eq 1}} the letter e
 for the last $c$.
@@ -48,8 +48,8 @@ lowest and highest place, where it has $\tfrac00$.
 Both are mended by going one step further. With $y = a - c\cos\Phi$ for the height of $G$ and
 $v = d\Phi^2/2g\,dt^2$, the equation of {{sec globe.25}} gives $dd\Phi$, and {{eq 2}} becomes
 
-$$ \lambda = \frac{c\sin\Phi\,\bigl(y - v(cc+kk-ac\cos\Phi)\bigr)}
-   {kk + yy + vc\,\bigl((aa+cc+kk)\cos\Phi - ac(1+\cos^2\Phi)\bigr)}. \tag{A} $$
+$$ \begin{gathered} \lambda = \frac{c\sin\Phi\,\bigl(y - v(cc+kk-ac\cos\Phi)\bigr)}{kk + yy + vcE}, \\
+   E = (aa+cc+kk)\cos\Phi - ac(1+\cos^2\Phi). \end{gathered} \tag{A} $$
 
 The denominator is the pressure, over the weight, times $aa+cc+kk-2ac\cos\Phi$. On the way up the slow ball
 is held back by friction, the fast one pushed on: $\lambda$ changes its sign where

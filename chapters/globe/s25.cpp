@@ -15,18 +15,19 @@ The motion itself does not wait for the friction: one equation has neither it no
 integrated. That equation, from {{sec globe.09}}, holds in every case; with $dds = a\,dd\Phi$ it becomes one
 of $\Phi$ alone,
 
-$$ \begin{aligned} a\,dd\Phi(a - c\cos\Phi) &+ dd\Phi(cc - ac\cos\Phi + kk) \\
-   &+ ac\,d\Phi^2\sin\Phi = -2cg\,dt^2\sin\Phi, \end{aligned} \tag{1} $$
+$$ \begin{aligned} &a\,dd\Phi(a - c\cos\Phi) + dd\Phi(cc - ac\cos\Phi + kk) \\
+   &\quad + ac\,d\Phi^2\sin\Phi = -2cg\,dt^2\sin\Phi, \end{aligned} \tag{1} $$
 
 or, collected,
 
-$$ \begin{aligned} (aa+cc+kk)\,dd\Phi - 2ac\,dd\Phi\cos\Phi &+ ac\,d\Phi^2\sin\Phi \\
-   &= -2cg\,dt^2\sin\Phi. \end{aligned} \tag{2} $$
+$$ \begin{aligned} (aa+cc+kk)\,&dd\Phi - 2ac\,dd\Phi\cos\Phi \\
+   &+ ac\,d\Phi^2\sin\Phi = -2cg\,dt^2\sin\Phi. \end{aligned} \tag{2} $$
 
 Multiplied by $2d\Phi$ it integrates of itself: the first two members with the third are the differential of
 $d\Phi^2(aa+cc+kk-2ac\cos\Phi)$, and the right side that of $4cg\,dt^2\cos\Phi$. So
 
-$$ (aa+cc+kk-2ac\cos\Phi)\,d\Phi^2 = 4g\,dt^2(C + c\cos\Phi), \tag{3} $$
+$$ \begin{aligned} (aa+cc+kk&-2ac\cos\Phi)\,d\Phi^2 \\
+   &= 4g\,dt^2(C + c\cos\Phi), \end{aligned} \tag{3} $$
 
 with a constant $C$, here a length, which is to be settled by what the friction allows; {{sec globe.27}}
 will ask how great it may be.
@@ -44,7 +45,8 @@ what it was in {{sec globe.12}} on a smooth plane: friction that holds without s
 As there, the constant is better replaced by $h$, the living force at the lowest place over what it takes to
 stand still at the top:
 
-$$ C = c(2h-1), \qquad 4g(C + c\cos\Phi) = 8gc\,\bigl(h - \sin^2\tfrac12\Phi\bigr). \tag{B} $$
+$$ \begin{gathered} C = c(2h-1), \\
+   4g(C + c\cos\Phi) = 8gc\,\bigl(h - \sin^2\tfrac12\Phi\bigr). \end{gathered} \tag{B} $$
 
 With $C < c$ the ball rocks up to $\cos\Phi = -C/c$, with $C > c$ it rolls on for ever, and $C = c$ is the
 case between.

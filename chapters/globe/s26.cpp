@@ -18,8 +18,8 @@ $$ dd\Phi = \frac{-(2gc\,dt^2 + ac\,d\Phi^2){{entry both_negative}}\sin\Phi}{aa+
 
 and its integral gives $2g\,dt^2$. With that put in, one factor goes out of the first member:
 
-$$ dd\Phi = \frac{-c\,d\Phi^2\sin\Phi}{2C+2c\cos\Phi{{entry twice_C}}}
-   - \frac{ac\,d\Phi^2\sin\Phi}{aa+cc+kk-2ac\cos\Phi}. \tag{2} $$
+$$ \begin{aligned} dd\Phi = &\frac{-c\,d\Phi^2\sin\Phi}{2C+2c\cos\Phi{{entry twice_C}}} \\
+   &- \frac{ac\,d\Phi^2\sin\Phi}{aa+cc+kk-2ac\cos\Phi}. \end{aligned} \tag{2} $$
 
 The denominator of the fraction that is sought, $ddx$, follows,
 
@@ -31,15 +31,16 @@ $$ \begin{aligned} &a\,dd\Phi - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi \\
 Now all members have $d\Phi^2$, and it goes out too. The left side of that equation is
 
 $$ \begin{gathered} -\frac{ckk\sin\Phi}{2C+2c\cos\Phi}
-   - \frac{ackk\sin\Phi}{aa+cc+kk-2ac\cos\Phi}{{entry upper}} \quad\text{over} \\
-   \frac{c\sin\Phi(2C+3c\cos\Phi-a)}{2C+2c\cos\Phi}{{entry lower}}
-   - \frac{ac(a-c\cos\Phi)\sin\Phi}{aa+cc+kk-2ac\cos\Phi}, \end{gathered} \tag{4} $$
+   - \frac{ackk\sin\Phi}{aa+cc+kk-2ac\cos\Phi}{{entry upper}} \\ \text{over} \\
+   \frac{c\sin\Phi(2C+3c\cos\Phi-a)}{2C+2c\cos\Phi}{{entry lower}} \\
+   {}- \frac{ac(a-c\cos\Phi)\sin\Phi}{aa+cc+kk-2ac\cos\Phi}, \end{gathered} \tag{4} $$
 
 and, both multiplied by the two denominators{{entry cleared}}, all but $\cos\Phi$ cancels. There remains
 
 $$ \begin{gathered} -kk(aa+cc+kk+2aC){{entry above}} \quad\text{over} \\
-   kk(3c\cos\Phi+2C-a) + 2Cc(c-a\cos\Phi) - a^3{{entry below}} \\
-   {}+ 3aac\cos\Phi - acc(1+4\cos^2\Phi) + 3c^3\cos\Phi, \end{gathered} \tag{5} $$
+   kk(3c\cos\Phi+2C-a) + 2Cc(c-a\cos\Phi) \\
+   {}- a^3{{entry below}} + 3aac\cos\Phi \\
+   {}- acc(1+4\cos^2\Phi) + 3c^3\cos\Phi, \end{gathered} \tag{5} $$
 
 which has to equal $-a + c\cos\Phi + \frac c\lambda\sin\Phi$. {{sec globe.27}} calls it $S$.
 
@@ -59,12 +60,13 @@ $$ S = \frac{kkN}{L}, \qquad L = yN - 2(C+c\cos\Phi)D. \tag{A} $$
 $N$ is never zero, so $S$ is not either; but $L$ may vanish, and there $S$ is infinite, and no friction is
 needed. That happens at the angle Φ with the energy
 
-$$ h = \frac{y\,bb + 4c\sin^2\tfrac12\Phi\,D}{4c\,(cc+kk-ac\cos\Phi)}, \qquad bb = (a-c)^2 + kk, \tag{B} $$
+$$ \begin{aligned} h &= \frac{y\,bb + 4c\sin^2\tfrac12\Phi\,D}{4c\,(cc+kk-ac\cos\Phi)}, \\
+   bb &= (a-c)^2 + kk, \end{aligned} \tag{B} $$
 
 where $C = c(2h-1)$. And with $S$ put into the equation the poles go: as $S + y = DQ/L$,
 
 $$ \begin{aligned} \lambda &= \frac{c\sin\Phi\,L}Q, \qquad Q = \frac{\Pi}{P}\,DD, \\
-   Q &= DD - ccN\sin^2\Phi + 2c\cos\Phi\,(C+c\cos\Phi)D. \end{aligned} \tag{C} $$
+   Q &= DD - ccN\sin^2\Phi \\ &\quad + 2c\cos\Phi\,(C+c\cos\Phi)D. \end{aligned} \tag{C} $$
 
 ## The program
 

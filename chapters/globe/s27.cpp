@@ -18,8 +18,9 @@ $$ \lambda = \frac{c\sin\Phi}{S + a - c\cos\Phi}. \tag{1} $$
 At $\Phi = 0$ and $\Phi = 180°$ no friction is needed; there, he says, is no danger that it should not
 suffice. So he examines the angles between, 90° and 270°. At the first
 
-$$ S = -\frac{kk(aa+cc+kk+2aC){{entry numerator}}}{kk(2C-a)+2Ccc-a^3-acc{{entry denominator}}}, \qquad
-   \lambda = \frac{c}{S+a}{{entry sign}}, \tag{2} $$
+$$ \begin{aligned} S &= -\frac{kk(aa+cc+kk+2aC){{entry numerator}}}
+   {kk(2C-a)+2Ccc-a^3-acc{{entry denominator}}}, \\
+   \lambda &= \frac{c}{S+a}{{entry sign}}, \end{aligned} \tag{2} $$
 
 and at the second the same with the other sign. If only the constant $C$ is such that $S + a$ is greater than
 $3c$, rolling can go on. Since other cases can hardly be worked out than those with a very small $c$, he
@@ -62,16 +63,17 @@ left out do matter. For $\mu = \tfrac13$ our ball can roll with energies up to $
 ball comes to that with $h = {{h_loss|4}}$, before both estimates. The pressure is first lost at the top only
 while
 
-$$ kk \ge (a+c)(3c-a), \qquad\text{that is}\quad c \le \tfrac13\bigl(\sqrt{4aa+3kk}-a\bigr); \tag{A} $$
+$$ \begin{gathered} kk \ge (a+c)(3c-a), \quad\text{that is} \\
+   c \le \tfrac13\bigl(\sqrt{4aa+3kk}-a\bigr); \end{gathered} \tag{A} $$
 
 with more eccentricity it is lost before, at an angle below 180°, near it at first. At the angle Φ the
 rolling ball presses no more when its energy has grown to
 
-$$ h = \sin^2\tfrac12\Phi + \frac{D\,(kk+yy)}{4cc\,\bigl(ac(1+\cos^2\Phi) - (aa+cc+kk)\cos\Phi\bigr)},
-   \tag{B} $$
+$$ \begin{gathered} h = \sin^2\tfrac12\Phi + \frac{D\,(kk+yy)}{4ccE}, \\
+   E = ac(1+\cos^2\Phi) - (aa+cc+kk)\cos\Phi, \end{gathered} \tag{B} $$
 
-with $y = a - c\cos\Phi$ and $D = aa+cc+kk-2ac\cos\Phi$; where the divisor is not positive no energy brings
-it so far. The least of all these energies is the one with which the pressure is first lost, and its angle
+with $y = a - c\cos\Phi$ and $D = aa+cc+kk-2ac\cos\Phi$; where $E$ is not positive no energy brings it so
+far. The least of all these energies is the one with which the pressure is first lost, and its angle
 the place; at the top {{eq B}} is $1 + \bigl((a+c)^2+kk\bigr)/4cc$.
 
 What is right is a set of windows. At each angle the friction suffices from one energy, or from the least that

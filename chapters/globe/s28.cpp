@@ -16,7 +16,8 @@ using namespace globe;
 If the plane has the friction that rolling takes, angle and time hang together by one formula. It is the
 integral of {{sec globe.25}},
 
-$$ d\Phi^2(aa+cc+kk) - 2ac\,d\Phi^2\cos\Phi = 4g\,dt^2(c\cos\Phi + C), \tag{1} $$
+$$ \begin{aligned} d\Phi^2(aa+cc+kk) &- 2ac\,d\Phi^2\cos\Phi \\
+   &= 4g\,dt^2(c\cos\Phi + C), \end{aligned} \tag{1} $$
 
 from which
 

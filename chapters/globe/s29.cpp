@@ -19,7 +19,8 @@ $$ \frac{ds}{dt} = \frac{a\,d\Phi}{dt}{{entry rolling_start}} = a\zeta, \tag{1} 
 
 while on the smooth plane it could be any. The equation of {{sec globe.25}} gives for $\Phi = 0$
 
-$$ \zeta\zeta(aa+cc+kk-2ac) = \zeta\zeta\bigl((a-c)^2+kk\bigr) = 4g(c+C), \tag{2} $$
+$$ \begin{aligned} \zeta\zeta(aa+cc+kk-2ac) &= \zeta\zeta\bigl((a-c)^2+kk\bigr) \\
+   &= 4g(c+C), \end{aligned} \tag{2} $$
 
 whence
 
@@ -53,8 +54,8 @@ at the top as at the lowest place. The whole time, of a single swing or of a tur
 {{sec globe.28}} gives with $\sin^2\tfrac12\Phi = h$ or 1. Near $h = 1$ it grows as the logarithm of what is
 missing:
 
-$$ t\sqrt{2gc} \approx B\,l\,\frac{4B}{b\sqrt{|1-h|}} - 2\sqrt{ac}\operatorname{arsinh}\frac{2\sqrt{ac}}b,
-   \tag{B} $$
+$$ \begin{aligned} t\sqrt{2gc} \approx B\,&l\,\frac{4B}{b\sqrt{|1-h|}} \\
+   &- 2\sqrt{ac}\operatorname{arsinh}\frac{2\sqrt{ac}}b, \end{aligned} \tag{B} $$
 
 with $BB = (a+c)^2+kk$, for the quarter of an oscillation or half a turn. So the delay near the top has $B$
 for its measure where on the smooth plane it was $k$: for a tenth of $|1-h|$ a swing, or a turn, takes

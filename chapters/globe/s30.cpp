@@ -16,7 +16,7 @@ A ball that is tilted by a little and left to roll keeps time with a simple pend
 rocking begins. Both the velocity ζ at the lowest place and the angle Φ are to be very small, so that
 $\cos\Phi = 1 - \frac12\Phi\Phi$. To shorten the formula of {{sec globe.29}} let
 
-$$ (a-c)^2 + kk = bb, \qquad aa+cc+kk = bb + 2ac; \tag{1} $$
+$$ \begin{aligned} (a-c)^2 + kk &= bb, \\ aa+cc+kk &= bb + 2ac; \end{aligned} \tag{1} $$
 
 then it takes the form
 
@@ -55,7 +55,8 @@ the point of contact over the mass.
 What was dropped can be kept. With $h = \sin^2$ of half the amplitude and $r = 4ac/bb$ the whole swing is the
 mean of $\sqrt{1 + rh\sin^2\vartheta}/\sqrt{1 - h\sin^2\vartheta}$, and in powers of $h$
 
-$$ \frac T{T_0} = 1 + \frac{1+r}4\,h + \frac{3(1+r)(3-r)}{64}\,hh + \ldots, \tag{A} $$
+$$ \begin{aligned} \frac T{T_0} = 1 &+ \frac{1+r}4\,h \\
+   &+ \frac{3(1+r)(3-r)}{64}\,hh + \ldots, \end{aligned} \tag{A} $$
 
 where $T_0$ is {{eq 6}}. A quarter of $h$ is the pendulum's own delay. The rest, $r$ times as much, comes from
 the numerator: the moment of inertia grows as the ball rolls up. For our ball $r$ is {{r|4}}; for a ball whose

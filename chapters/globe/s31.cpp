@@ -38,7 +38,7 @@ The second statement is about balls, and for them it is right. On a smooth plane
 with $c$, whatever $c$ is. But {{eq 1}} has two members, $(aa + kk)/c - 2a$ and $c$, of which the second
 grows: it is least where
 
-$$ c = \sqrt{aa+kk}, \qquad l = 2c - 2a = \frac{2kk}{\sqrt{aa+kk}+a}, \tag{A} $$
+$$ \begin{aligned} c &= \sqrt{aa+kk}, \\ l &= 2c - 2a = \frac{2kk}{\sqrt{aa+kk}+a}, \end{aligned} \tag{A} $$
 
 and from there on the rocking grows slower again. No ball gets there, since $c$ would have to exceed $a$, and
 the centre of gravity would lie outside. A cradle may, if its centre of gravity hangs deeper than the

@@ -40,8 +40,8 @@ Today: $h = \frac12nn$, the energy over what the top asks for; Case II is $h = 1
 That rolling is slower is right, and for more than a small $c$. With the same $h$ the times differ only by
 what stands under the upper root, and for the ball that rolls this is
 
-$$ \begin{aligned} aa+cc+kk-2ac\cos\Phi &= kk + cc\sin^2\Phi \\
-   &\quad + (a - c\cos\Phi)^2: \end{aligned} \tag{A} $$
+$$ \begin{aligned} aa&+cc+kk-2ac\cos\Phi \\
+   &= kk + cc\sin^2\Phi + (a - c\cos\Phi)^2: \end{aligned} \tag{A} $$
 
 it is more by the square of the height of $G$ above the plane.
 
@@ -59,12 +59,13 @@ $$ \begin{aligned} 2nt\sqrt{gc} &= \Phi\Bigl(b + \frac{ac}b + \frac b{2nn}\Bigr)
 
 and if the second order is wanted, too, on the right
 
-$$ \Bigl(\frac{3b}{2n^4} + \frac{2ac}{bnn} - \frac{2aacc}{b^3}\Bigr)\,
-   \frac{6\Phi - 8\sin\Phi + \sin2\Phi}{16} \tag{C} $$
+$$ \begin{aligned} \Bigl(\frac{3b}{2n^4} &+ \frac{2ac}{bnn} - \frac{2aacc}{b^3}\Bigr) \\
+   &\cdot\frac{6\Phi - 8\sin\Phi + \sin2\Phi}{16} \end{aligned} \tag{C} $$
 
 besides. In Case II, where the time is elementary ({{sec globe.28}}), the first order is
 
-$$ t\sqrt{2gc} = -\Bigl(b + \frac{2ac}b\Bigr)\,l\tan\tfrac12\omega - \frac{2ac}b\cos\omega. \tag{D} $$
+$$ \begin{aligned} t\sqrt{2gc} = -&\Bigl(b + \frac{2ac}b\Bigr)\,l\tan\tfrac12\omega \\
+   -&\frac{2ac}b\cos\omega. \end{aligned} \tag{D} $$
 
 Here the rule is wrong in the logarithm itself: near the top its time is too short by as much as one
 likes.

@@ -35,8 +35,8 @@ $$ \begin{aligned}
 The first is known from the motion of pendulums. With $CG{{entry centres}} = c$, $CR = a$ and $Pkk$ for the
 moment about $G$ it is the first of
 
-$$ l_{\mathrm I} = \frac{cc+kk}c, \qquad l_{\mathrm{II}} = \frac{kk}c, \qquad
-   l_{\mathrm{III}} = \frac{(a-c)^2+kk}c; \tag{2} $$
+$$ \begin{gathered} l_{\mathrm I} = \frac{cc+kk}c, \qquad l_{\mathrm{II}} = \frac{kk}c, \\
+   l_{\mathrm{III}} = \frac{(a-c)^2+kk}c; \end{gathered} \tag{2} $$
 
 the second and the third have been found above ({{sec globe.15}}, {{sec globe.30}}).
 
@@ -52,18 +52,17 @@ that is plumb over the contact when there is no friction, since $G$ can only ris
 when it rolls. With $M_\Phi$ for the moment of inertia about that point, over the weight,
 
 $$ \begin{gathered} M_\Phi\,\frac{d\Phi^2}{dt^2} = 8gc\,(h - \sin^2\tfrac12\Phi), \\[2pt]
-   M_\Phi = \begin{cases} cc+kk & \text{hung up,}\\ kk + cc\sin^2\Phi & \text{on a smooth plane,}\\
-   (a-c)^2 + kk + 4ac\sin^2\tfrac12\Phi & \text{rolling,} \end{cases} \end{gathered} \tag{A} $$
+   \begin{aligned} M_\Phi &= cc+kk &&\text{hung up,}\\ M_\Phi &= kk + cc\sin^2\Phi &&\text{smooth,}\\
+   M_\Phi &= bb + 4ac\sin^2\tfrac12\Phi &&\text{rolling,} \end{aligned} \end{gathered} \tag{A} $$
 
-where $h = \sin^2\frac12\Phi$ at the amplitude. For very small amplitudes only $M_0$ counts, and that is the
-theorem.
+where $bb = (a-c)^2 + kk$, and $h = \sin^2\frac12\Phi$ at the amplitude. For very small amplitudes only $M_0$
+counts, and that is the theorem.
 
 For others it fails. A swing of the amplitude that belongs to $h$ is longer than a very small one, and by
 different parts in the three motions,
 
 $$ \begin{gathered} \frac T{T_0} = 1 + mh + \ldots, \\
-   m = \tfrac14, \qquad m = \tfrac14 + \frac{cc}{kk}, \qquad m = \tfrac14 + \frac{ac}{(a-c)^2+kk},
-   \end{gathered} \tag{B} $$
+   m = \tfrac14, \quad m = \tfrac14 + \frac{cc}{kk}, \quad m = \tfrac14 + \frac{ac}{bb}, \end{gathered} \tag{B} $$
 
 so that rocking on a plane is not even as isochronous as a pendulum. With amplitudes near 180° the theorem
 comes back in another form: each swing grows with the logarithm of what is wanting, and these growths are as
