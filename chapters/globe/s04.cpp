@@ -338,7 +338,7 @@ CHECK_THAT("the less k, the nearer the limit is to 2k/(a+c)")
 }
 
 CHECK_THAT(
-    "the limits drawn are the least of (B), and beyond the line for a third only little k are below it")
+    "the limits drawn are the least of (B), and more than a third where k is more than a sixth of a + c")
 {
   for(const Told& now : told_at(""))
     for(const auto& point : now.points("limits", 13))

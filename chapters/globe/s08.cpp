@@ -217,8 +217,8 @@ begins to roll.
 :::
 
 Not every motion is settled by one change. The chapter's cradle, let go at an angle that asks for more
-friction than there is, scrapes and rolls by turns: it stops scraping near the lowest place, at first behind
-it and later before it, rolls on, and begins to scrape again before it turns back. The same cradle, set
+friction than there is, scrapes and rolls by turns: it stops scraping near the lowest place, at first beyond
+it and later short of it, rolls on, and begins to scrape again before it turns back. The same cradle, set
 rolling fast, scrapes before the top, since there the pressure wanes and friction with it; and so it is
 thrown off the plane, from which perfect rolling would never have parted it ({{sec globe.27}}).
 

@@ -20,7 +20,8 @@ The time is an integral that in general, Euler says, cannot be found but by appr
 two centres coincide gives it away. From the velocity to the motion is one more integration. In
 {{sec globe.11}} he had, with ζ for the angular velocity at the lowest place,
 
-$$ \begin{aligned} \frac{d\Phi^2}{dt^2}&(kk + cc\sin^2\Phi) \\ &= \zeta\zeta kk - 4gc(1-\cos\Phi), \end{aligned} \tag{1} $$
+$$ \begin{aligned} \frac{d\Phi^2}{dt^2}&(kk + cc\sin^2\Phi) \\
+   &= \zeta\zeta kk - 4gc(1-\cos\Phi), \end{aligned} \tag{1} $$
 
 and drawing the root he gets
 

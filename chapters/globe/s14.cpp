@@ -111,8 +111,8 @@ TELL
 }
 
 /*!
-With an amplitude of {{A|4}} our ball stands at {{Phi|8}} after four tenths of a second, where {{eq 4}} has
-{{Phi_euler|8}} and {{eq A}} {{Phi_next|8}}. Its pace is {{pace|3}} slower than Euler's.
+With an amplitude of {{A|4}} our ball stands at {{Phi|9}} after four tenths of a second, where {{eq 4}} has
+{{Phi_euler|9}} and {{eq A}} {{Phi_next|9}}. Its pace is {{pace|3}} slower than Euler's.
 
 ::: figure globe-14
 alt: Exact angle minus Euler's, as a part of the amplitude, over four swings: an oscillation that grows

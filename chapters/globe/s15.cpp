@@ -51,12 +51,12 @@ $$ \begin{aligned} \frac T{T_0} = 1 &+ \Bigl(\frac14 + q\Bigr)h \\
    &+ \cdots \end{aligned} \tag{B} $$
 
 With $q = 0$ it is the pendulum's own series. The rocking keeps its time worse than the pendulum, as long as
-the first term rules: while it turns, the ball has to lift and drop all its weight too. The root in
-{{eq A}} has a zero at the negative $X = \frac12(1 - \sqrt{1 + kk:cc})$, and {{eq B}} converges only while
-$h$ is less than the size of that, if it is less than 1. For a large $c:k$ that is $kk:4cc$, an amplitude
-of $k:c$. Beyond it the time is another altogether: a ball with hardly any moment of inertia, $k = 0$,
-simply falls when it is let go, and the half of a single swing takes the time of a fall through the height
-$2ch$,
+the first term rules: the farther the ball swings, the more its weight has to be moved up and down as well,
+and that is inertia beyond $kk$. The root in {{eq A}} has a zero at the negative
+$X = \frac12(1 - \sqrt{1 + kk:cc})$, and {{eq B}} converges only while $h$ is less than the size of that, if
+it is less than 1. For a large $c:k$ that is $kk:4cc$, an amplitude of $k:c$. Beyond it the time is another
+altogether: a ball with hardly any moment of inertia, $k = 0$, simply falls when it is let go, and the half of
+a single swing takes the time of a fall through the height $2ch$,
 
 $$ t = \sqrt{\frac{2ch}g}, \tag{C} $$
 

@@ -248,9 +248,9 @@ tells the times of a ball that is held down.
 
 {{table errors}}
 
-In Case II, when $c$ is halved, the rule's error is halved; it should have been quartered, were the rule as
-good as the formulae of the smooth plane. In the columns of the turn there is an error, too, that does not
-fall with $c$; it is owed to $n$.
+In Case II, when $c$ is halved, the rule's error is halved; were the rule as good as the formula of the smooth
+plane, it would be sixteen times less ({{sec globe.17}}). In the columns of the turn there is an error, too,
+that does not fall with $c$; it is owed to $n$.
 
 ::: figure globe-33
 alt: Two straight lines in a logarithmic plot of error against c. The upper one, the rule's, has the slope
