@@ -178,19 +178,22 @@ const Emendation fifth{
     "§19, n = 4, with (2) put into it",
     [](double reading) { return is_integral(reading, 5); }};
 
-const Emendation seventh{"§20, (4)",
-                         {"sin²α, (sin³α)², (sin⁵α)²; 3 above 2·4·6, and 1 above the logarithm",
-                          over(2) / 6 + 5 * over(6) / 24 + 3 * over(10) / 48 + L / 48},
-                         {"sin⁶α, sin⁴α, sin²α; 3·5 and 1·3·5 above",
-                          over(6) / 6 + 5 * over(4) / 24 + 15 * over(2) / 48 + 15 * L / 48},
-                         "§19, n = 6, with (3) put into it",
-                         [](double reading) { return is_integral(reading, 7); }};
+const Emendation seventh{
+    "§20, (4)",
+    {"cos α/(6 sin²α) + 5 cos α/(4·6 (sin³α)²) + 3 cos α/(2·4·6 (sin⁵α)²) + 1/(2·4·6) l cot ½α",
+     over(2) / 6 + 5 * over(6) / 24 + 3 * over(10) / 48 + L / 48},
+    {"cos α/(6 sin⁶α) + 5 cos α/(4·6 sin⁴α) + 3·5 cos α/(2·4·6 sin²α) + 1·3·5/(2·4·6) l cot ½α",
+     over(6) / 6 + 5 * over(4) / 24 + 15 * over(2) / 48 + 15 * L / 48},
+    "§19, n = 6, with (3) put into it",
+    [](double reading) { return is_integral(reading, 7); }};
 
 const Emendation ninth{
     "§20, (5)",
-    {"sin²α, (sin³α)², (sin⁵α)², (sin⁷α)²; 8·8, 2·4·6 and 2·4·6·8 below, 1 above the logarithm",
+    {"cos α/(8 sin²α) + 7 cos α/(8·8 (sin³α)²) + 5·7 cos α/(2·4·6 (sin⁵α)²) "
+     "+ 3·5·7 cos α/(2·4·6·8 (sin⁷α)²) + 1/(2·4·6·8) l cot ½α",
      over(2) / 8 + 7 * over(6) / 64 + 35 * over(10) / 48 + 105 * over(14) / 384 + L / 384},
-    {"sin⁸α, sin⁶α, sin⁴α, sin²α; 6·8, 4·6·8, 2·4·6·8; 1·3·5·7",
+    {"cos α/(8 sin⁸α) + 7 cos α/(6·8 sin⁶α) + 5·7 cos α/(4·6·8 sin⁴α) + 3·5·7 cos α/(2·4·6·8 sin²α) "
+     "+ 1·3·5·7/(2·4·6·8) l cot ½α",
      over(8) / 8 + 7 * over(6) / 48 + 35 * over(4) / 192 + 105 * over(2) / 384 + 105 * L / 384},
     "§19, n = 8, with (4) put into it",
     [](double reading) { return is_integral(reading, 9); }};
@@ -235,4 +238,25 @@ CHECK_THAT("the five shares of the figure are those of the five pieces, and make
       CHECK(point.at("s8") + point.at("s6") + point.at("s4") + point.at("s2") + point.at("l")
             == within(1, 2e-14, "five rounded shares"));
     }
+}
+
+/*!
+## Go on from here
+
+::: exercise
+The series of {{sec pendulum.17}} multiplies the integral with $\sin^{2m+1}\omega$ by $a_m\sin^{2m}\alpha$.
+What does its $m$th term bring to the descent when α becomes infinitely small?
+
+answer: $\frac{a_m}{2m}$, however near the top. Of all the pieces of {{eq A}} only that with $i = m$ is left,
+without any sine: `--alpha 1e-6 --m 4` tells an eighth. All these terms together, an eighth times
+$\frac{35}{128}$ the fourth of them, are the column that {{sec pendulum.22}} sums.
+:::
+*/
+
+CHECK_THAT("as α vanishes, the scaled integral becomes 1/2m")
+{
+  for(const Told& now : told_at("alpha=1e-6 m=4", "alpha=1e-6 m=50"))
+    CHECK(now.value("scaled")
+          == within_ulps(Fifty(1) / (2 * int(m)), 2, "sin²α is 3·10⁻¹⁶, and it times 7/48"));
+  CHECK(double_factorial_ratio(4) == Rational(35, 128));
 }
