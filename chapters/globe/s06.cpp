@@ -111,8 +111,9 @@ TELL
 
 /*!
 In the example the plane bears {{pressure|6}} of the weight, a little more than the whole: the ball turns
-faster and faster ({{ddPhi|4}} a second in every second), which lifts $G$. Friction holds it back,
-with {{ddx|5}} feet a second in every second, and the force of the plane leans {{lean|4}}° backwards.
+faster and faster ({{ddPhi|4}} a second in every second), which lifts $G$. Friction changes the velocity of
+$G$ forwards by {{ddx|5}} feet a second in every second, and the force of the plane leans {{lean|4}}°
+backwards.
 
 ::: figure globe-06
 alt: Three curves of the pressure over the weight against the angle through one turn. That without friction

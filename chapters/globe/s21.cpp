@@ -76,13 +76,13 @@ struct Factor
 {
   double exact;  ///< √(1 + X) over √(1 − Y), where the roots are
   double euler;  ///< 1 + X:2 + Y:2
-  double lacks;  ///< exact less Euler's, over Euler's
+  double lacks;  ///< exact less Euler's
 };
 
 Factor factor(double X, double Y)
 {
   const double S = (X + Y) / 2, exact = std::sqrt(1 + X) / std::sqrt(1 - Y), euler = 1 + S;  // (5)
-  return {exact, euler, S * ((3 * Y - X) / 2 + Y * S) / (1 - Y) / (exact + euler) / euler};
+  return {exact, euler, S * ((3 * Y - X) / 2 + Y * S) / (1 - Y) / (exact + euler)};
 }
 
 const auto c = real("c", 0.1, feet, scale, "CG, from the ball's centre to its centre of gravity");
@@ -127,7 +127,7 @@ TELL
          "where it leaves it; what is told beyond is of a ball held down");
   tell("exact", k * now.exact, feet, "2n√gc dt:dΦ at Φ, with both roots");
   tell("euler", k * now.euler, feet, "the same by (5)");
-  tell("lacks", now.lacks, percent, "by how much that is too small");
+  tell("lacks", now.lacks, percent, "by how much that is too small, over k");
   tell("named", X * Y / 4, percent, "of this the neglected member (6), over k");
   tell("silent", 3 * Y * Y / 8, percent, "the next term of (4), over k");
   tell("root", -X * X / 8, percent, "the next term of the numerator, over k");
@@ -149,9 +149,9 @@ TELL
 }
 
 /*!
-At {{Phi|3}} with $n = 4$ the formula {{eq 5}} is too small by {{lacks|4}}. Of this {{named|3}} is the member
-that Euler neglects knowingly, and {{silent|3}} the next term of his expansion {{eq 4}}. On the average over a
-turn they are {{mean_named|3}} and {{mean_silent|3}}.
+At {{Phi|3}} with $n = 4$ the formula {{eq 5}} is too small by {{lacks|4}} of $k$. Of this {{named|3}} is the
+member that Euler neglects knowingly, and {{silent|3}} the next term of his expansion {{eq 4}}. On the average
+over a turn they are {{mean_named|3}} and {{mean_silent|3}}.
 
 ::: figure globe-21
 alt: Three lines against n, both logarithmic. The steepest falls as the fourth power of n, another as the
@@ -239,7 +239,7 @@ CHECK_THAT("the two factors, what one lacks of the other, and the terms are thos
     CHECK(now.value("exact", feet) == within_relative(k_ * sqrt((1 + X) / (1 - Y)), 2e-15, because));
     CHECK(now.value("euler", feet) == within_relative(euler, 2e-15, because));
     // By the difference where fifty digits can bear it, else by the terms of the second order.
-    const Fifty lacks = X + Y > 1e-15 ? Fifty(k_ * sqrt((1 + X) / (1 - Y)) / euler - 1)
+    const Fifty lacks = X + Y > 1e-15 ? Fifty(sqrt((1 + X) / (1 - Y)) - euler / k_)
                                       : Fifty(X * Y / 4 + 3 * Y * Y / 8 - X * X / 8);
     const double size = double((X + Y) * (X + 3 * Y));
     CHECK(now.value("lacks", percent)
@@ -398,4 +398,39 @@ CHECK_THAT("the lines drawn are the means (B), and the limit is that of the pres
 When $n$ grows without end, with the same ball, {{eq 5}} does not become exact: $Y$ vanishes and $X$ remains.
 On paper the ball would then turn with $d\Phi:dt$ inverse to $\sqrt{kk + cc\sin^2\Phi}$. No plane holds it
 there.
+
+## Go on from here
+
+::: exercise
+With which $n$ do the three means {{eq B}} cancel, so that {{eq 5}} makes a whole turn right but for smaller
+terms? Can the ball be on its plane then?
+answer: With $x = kk:nncc$ they cancel where $36xx + 8x = 3$; there $nn = \frac23(\sqrt{31}+2)\,kk:cc$, some
+5.05 times $kk:cc$. By {{sec globe.20}} the plane holds the ball up to $nn = 2 + kk:2cc$ only, which is less
+for every $c$ below $k$. So on its plane the ball takes longer for a turn than {{eq 5}} has it, as far as
+these terms tell: the silent one outweighs the root's.
+:::
 */
+
+CHECK_THAT("the three means cancel with an n that no plane allows, and with less they come to a delay")
+{
+  const Fifty times = 2 * (sqrt(Fifty(31)) + 2) / 3;  // nn over kk:cc
+  CHECK(times == printed("5.05"));
+  const auto sum = [](const Fifty& nn, const Fifty& q) {
+    return Fifty(9 / (16 * nn * nn) + q / (8 * nn) - 3 * q * q / 64);
+  };
+  for(const Told& now : told_at("c=0.1 k=1 n=22.4614698", "c=0.02 k=1 n=112.307349"))
+  {
+    const Fifty q = pow(c.fifty() / k.fifty(), 2);
+    CHECK(n.fifty() == within_relative(sqrt(times / q), 1e-8, "the n given has nine figures"));
+    CHECK(now.value("mean_silent", percent)
+          == within_relative(3 * q * q / 64 - q * q / (8 * times), 1e-7, "the fourth power of that n"));
+  }
+  for(const char* const ratio : {"0.001", "0.1", "0.5", "1"})
+  {
+    const Fifty q = pow(Fifty(ratio), 2), most = 2 + 1 / (2 * q);
+    CHECK(most < times / q);
+    for(const Fifty& part :
+        {Fifty(1), Fifty(Fifty(1) / 2), Fifty(Fifty(1) / 100)})  // of what nn exceeds 2 by
+      CHECK(sum(2 + part * (most - 2), q) > 0);
+  }
+}
