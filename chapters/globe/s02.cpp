@@ -38,7 +38,7 @@ second.
 ::: margin
 Today: $2g$ is the acceleration of gravity, $k$ the radius of gyration. $P$ stands for a weight and for a
 point, $C$ for a point and, from {{sec globe.25}}, for a constant; $S$ for a point and, from
-{{sec globe.26}}, for a fraction.
+{{sec globe.27}}, for a fraction.
 :::
 
 Two things are worth adding. One is which side $G$ is on: for $0 < \Phi < 180°$ it is behind $C$, on the

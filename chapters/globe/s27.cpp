@@ -69,10 +69,10 @@ $$ \begin{gathered} kk \ge (a+c)(3c-a), \quad\text{that is} \\
 with more eccentricity it is lost before, at an angle below 180°, near it at first. At the angle Φ the
 rolling ball presses no more when its energy has grown to
 
-$$ \begin{gathered} h = \sin^2\tfrac12\Phi + \frac{D\,(kk+yy)}{4ccE}, \\
-   E = ac(1+\cos^2\Phi) - (aa+cc+kk)\cos\Phi, \end{gathered} \tag{B} $$
+$$ \begin{gathered} h = \sin^2\tfrac12\Phi - \frac{D\,(kk+yy)}{4ccE}, \\
+   E = (aa+cc+kk)\cos\Phi - ac(1+\cos^2\Phi), \end{gathered} \tag{B} $$
 
-with $y = a - c\cos\Phi$ and $D = aa+cc+kk-2ac\cos\Phi$; where $E$ is not positive no energy brings it so
+with $y = a - c\cos\Phi$ and $D = aa+cc+kk-2ac\cos\Phi$; where $E$ is not negative no energy brings it so
 far. The least of all these energies is the one with which the pressure is first lost, and its angle
 the place; at the top {{eq B}} is $1 + \bigl((a+c)^2+kk\bigr)/4cc$.
 
