@@ -70,6 +70,7 @@ const auto swing_ = amplitude_from_top(1_deg, open(80_deg, 180_deg));
 TELL
 {
   tell("T_over_Theta", ratio_by_mean(swing_.eta.fifty()), "T/Θ to thirty digits");
+  tell("columns", columns_needed(swing_.eta), "columns that leave out less than 1e-16 of the time");
   tell("columns_1", columns_needed(1_deg), "columns that leave out less than 1e-16 of the time, at η = 1°");
   tell("columns_90", columns_needed(90_deg), "the same at 90°");
   tell("terms_1", terms_needed(179_deg), "terms of the series of §9 that do so, at η = 1°");
@@ -90,8 +91,8 @@ For a swing that falls short of the top by 1° it takes {{terms_1}} terms of the
 out below $10^{-16}$ of the time. They are counted, not to be added in doubles: so many roundings would leave
 more than that. Of the columns, beside the logarithmic one, it takes {{columns_1}}; but the logarithmic one
 needs the sum of Euler's series for the small swing of 1°, which is had here from the mean of Gauss. Series
-and array meet at a right angle, with {{terms_90}} terms or {{columns_90}} columns, and on either side one of
-them needs fewer.
+and array meet near a right angle, where it takes {{terms_90}} terms or {{columns_90}} columns. The wider the
+swing from there, the fewer columns it takes; the narrower, the fewer terms.
 
 ::: figure pendulum-38
 alt: How many terms the series and how many columns the array need for sixteen digits, against the amplitude.
@@ -175,6 +176,10 @@ CHECK_THAT(
   const Fifty degree = exact::pi() / 180;
   for(const Told& now : told_at("", "zeta=80.5", "eta=1e-300rad"))
   {
+    const int fewest = columns_needed(swing_.eta);
+    CHECK(enough_columns(fewest, swing_.eta.fifty()));
+    CHECK_FALSE(enough_columns(fewest - 1, swing_.eta.fifty()));
+    CHECK(now.value("columns") == fewest);
     CHECK(now.value("columns_1") == 4);
     CHECK(now.value("columns_90") == 53);
     CHECK(now.value("terms_1") == 405810);
@@ -195,9 +200,19 @@ CHECK_THAT(
         == between(0, 1e-16 * static_cast<double>(K), "the bound itself"));
 }
 
-CHECK_THAT("the figure counts columns from 50° on and terms to 130°, and either may be the shorter")
+CHECK_THAT("the figure counts columns from 50° on and terms to 130°; wider swings take fewer columns, "
+           "narrower ones terms")
 {
   for(const Told& now : told_at(""))
+  {
+    double columns_before = infinity, terms_before = 0;
+    for(const auto& point : now.points("needed"))
+    {
+      if(const double columns = point.at("columns"); !std::isnan(columns))
+        CHECK(std::exchange(columns_before, columns) >= columns);  // the wider, the fewer
+      if(const double terms = point.at("terms"); !std::isnan(terms))
+        CHECK(std::exchange(terms_before, terms) <= terms);  // the narrower, the fewer
+    }
     for(const auto& point : now.points("needed", 9))
     {
       const Fifty zeta = Fifty(point.at("zeta")) * exact::pi() / 180;
@@ -212,4 +227,29 @@ CHECK_THAT("the figure counts columns from 50° on and terms to 130°, and eithe
         CHECK_FALSE(enough_terms(static_cast<int>(terms) - 1, zeta));
       }
     }
+  }
+}
+
+/*!
+## Go on from here
+
+::: exercise
+Every further column leaves $\sin^2\alpha$ of what the one before has left. Foretell from this how many
+columns are needed at a tenth of a degree from the top, and at a hundredth.
+
+answer: The angles are a tenth and a hundredth of 1°, so that a column brings two or four digits more than the
+four that it brings there, nearly. For sixteen digits it takes 3 columns, and 2; `--eta 0.1` and `--eta 0.01`
+tell so.
+:::
+*/
+
+CHECK_THAT(
+    "a tenth of a degree from the top takes 3 columns, a hundredth 2, and each brings 4, 6 or 8 digits")
+{
+  for(const Told& now : told_at("eta=0.1", "eta=0.01"))
+    CHECK(now.value("columns") == (swing_.eta > 0.05_deg ? 3 : 2));
+  const auto digits = [](double eta) { return -2 * std::log10(std::sin(eta / 2)); };
+  CHECK(digits(1_deg) == within(4.12, 0.005, "of sin²α"));
+  CHECK(digits(0.1_deg) == within(6.12, 0.005, "of sin²α"));
+  CHECK(digits(0.01_deg) == within(8.12, 0.005, "of sin²α"));
 }
