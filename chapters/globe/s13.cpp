@@ -204,7 +204,8 @@ TELL
           ratios)  // 1 − h from 0.98 to 1e-6, and back to where the ball leaves the plane
       {
         const double end = i < 0 ? 0.98 : 1 - std::min(smooth::lift_off_energy<double>(ratio, 1), 10.);
-        const Energy<double> e = energy_from_top(end * std::pow(1e-6, 1 - std::max(1, std::abs(i)) / 100.));
+        const double nearer = 1 - std::max(1, std::abs(i)) / 100.;
+        const Energy<double> e = energy_from_top(end * std::pow(1e-6, nearer * nearer));
         row.insert(row.end(), {e.h, smooth::quarter<double>(ratio, 1, e)});
       }
       times.put(row);

@@ -354,4 +354,53 @@ CHECK_THAT("the scene is the ball as the equations of motion have it, and it end
 The radius of the ball does not come in: without friction the plane acts through $C$, however far below
 $C$ it lies. Any uniform progress may be added, since by {{sec globe.10}} nothing changes the horizontal
 velocity of $G$.
+
+## Go on from here
+
+::: exercise
+How near is our ball to the top two seconds after it has passed its lowest place, and how near after twenty?
+answer: Near the top $\cot\frac12\omega$ is $4:\psi$, with ψ for the $2\omega$ that is lacking, and the
+integral of {{eq A}} has all but reached its value up to the top, 0.01106. So
+$\psi = 4e^{-(t\sqrt{2gc} - 0.01106):k}$: after two seconds 0.644°, after twenty 6·10⁻²⁴ of a degree.
+:::
+
+::: exercise
+The time to the top is infinite for every ball, by {{eq A}}. Is it so if all mass is in $G$, so that $k = 0$?
+answer: No. The logarithm goes out, and the integral becomes $2c(1 - \cos\frac12\Phi)$, at the top $2c$. That
+is the time $\sqrt{2c:g}$ of a fall through $2c$: $G$ is thrown straight up and comes to rest at the top. What
+takes for ever is the dying turning about $G$.
+:::
 */
+
+CHECK_THAT("after two seconds 0.644° are lacking, and after twenty 6e-24 of a degree")
+{
+  const auto lacking = [](const char* time) {  // degrees
+    const Fifty up = Fifty(time) * sqrt(2 * Fifty("15.625") / 10) - Fifty("0.01106");
+    return Fifty(4 * exp(-up / (Fifty(3) / 5)) * 180 / exact::pi());
+  };
+  CHECK(lacking("2") == printed("0.644"));
+  CHECK(lacking("20") == within(Fifty("6e-24"), 5e-25, "one figure"));
+  for(const char* const time : {"2", "20"})
+    for(const Told& now : told_at("omega=" + Fifty(lacking(time) / 2).str(15)))
+      CHECK(now.value("t", seconds) == within_relative(Fifty(time), 1e-5, "the integral to four figures"));
+}
+
+CHECK_THAT("as k vanishes the time to Φ tends to that of a body thrown up, to the height 2c of the top")
+{
+  const auto tau = [](const Fifty& w) {  // (A) with v = (k:2c) sinh x
+    const Fifty c_ = Fifty(1) / 10, k_ = Fifty("1e-10");
+    const auto part = [&](const Fifty& x) {
+      const Fifty s = sinh(x), v = k_ / (2 * c_) * s;
+      return Fifty(k_ * s * s / (1 + sqrt(1 + s * s * (1 - v * v))) * k_ / (2 * c_) * cosh(x));
+    };
+    const auto end = exact::integrate(part, 0, asinh(2 * c_ * cos(w) / k_));
+    return Fifty(end.value - k_ * log(tan(w / 2)));
+  };
+  for(const Fifty& w : {Fifty(exact::pi() / 4), Fifty(exact::pi() / 12), Fifty(exact::pi() / 180)})
+  {
+    // Thrown up to 2c it has yet to rise the part (1 − part of its time)² of that, which is 2c sin²ω.
+    const Fifty part = 1 - sin(w);
+    CHECK(tau(w) == within(part / 5, 1e-10, "less than k"));
+    CHECK(2 * pow(1 - part, 2) == within(1 - cos(2 * w), 1e-45, "what is lacking of the height, over c"));
+  }
+}

@@ -494,3 +494,31 @@ CHECK_THAT("each letter of the last denominator is needed: changed alone as in o
                              2 * o.c * (o.c - o.a * o.u) * (o.c - o.C), 3 * o.a * o.c * o.u * (o.c - o.a)})
     CHECK(std::abs(change / o.below) > 0.01);
 }
+
+/*!
+## Go on from here
+
+::: exercise
+At which angles is there no energy with which a ball rolls through without friction, however fast it turns?
+answer: Where the divisor of {{eq B}} is not positive, $\cos\Phi \ge (cc+kk):ac$. Our ball, with $cc + kk$
+greater than $ac$, has no such angle. With $c = \frac12a$ and $k = \frac14a$ there are, up to
+$\cos\Phi = \frac58$ or 51°: friction holds it back there on the way up, with any energy.
+`--c 0.5 --k 0.25 --Phi 51` and `--Phi 52` show it.
+:::
+*/
+
+CHECK_THAT("where ac cos Φ exceeds cc + kk friction is backwards on the way up, however fast the ball is")
+{
+  CHECK(acos(Fifty(5) / 8) * 180 / exact::pi() == between(51, 52, "51°19′"));
+  for(const Told& now :
+      told_at("c=0.5 k=0.25 Phi=51", "c=0.5 k=0.25 Phi=51 h=1e9", "c=0.5 k=0.25 Phi=1 h=1e30"))
+  {
+    CHECK(now.value("h_free") == infinite("none is enough"));
+    CHECK(now.value("pressure") == between(0, infinity, "it bears the ball"));
+    CHECK(now.value("lambda") == between(1e-3, 100, "backwards"));
+  }
+  for(const Told& now : told_at("c=0.5 k=0.25 Phi=52"))
+    CHECK(now.value("h_free") == between(1, 1e3, "something over a small divisor"));
+  for(const Told& now : told_at("c=0.5 k=0.25 Phi=52 h=1e9"))
+    CHECK(now.value("lambda") == between(-100, -1e-3, "forwards"));
+}
