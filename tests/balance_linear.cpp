@@ -6,8 +6,10 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gsl/gsl_sf_mathieu.h>
 
@@ -18,6 +20,7 @@
 #include "balance/mathieu.hpp"
 #include "balance/motion.hpp"
 #include "balance/small_swings.hpp"
+#include "balance/systems.hpp"
 #include "edition/compare.hpp"
 
 using namespace balance;
@@ -91,6 +94,68 @@ TEST_CASE("half trace, mean frequency and its shift")
     CHECK(std::cos(2 * std::numbers::pi * g.frequency) == within(g.half_trace, 1e-12, "phases up to 124"));
   }
   CHECK_THROWS_AS(floquet({3, not_a_number, 0.1}), std::domain_error);
+}
+
+TEST_CASE("points of the stability chart by series: right in their domain, the same bits in every way")
+{
+  // from Taylor's series in mpmath
+  CHECK(halves(36, 1. / 6).half_trace()
+        == within(Fifty("0.9999999946033331161218103498558603445574"), 2e-14, "q rounded, terms up to 30"));
+  const struct
+  {
+    double a, q;
+    const char* sine2;
+    double room;
+  } known[]{{36, 0.16666666666666666, "2.6983334419390948250720698277213e-9", 2e-14},
+            {1, 8, "-18.189773124368937317028941681738", 4e-13},
+            {0, -8, "-7.2456559394438137520243752770952", 2e-13},
+            {64, -2, "0.0000097324468679135681051640618331605", 1e-13},
+            {99, 0.25, "0.0061906865808369164951538983488317", 2e-13},
+            {100, 8, "0.00065248931780487109626602116431117", 2e-13},
+            {250, -1.25, "0.08532495415508017832143663699845", 5e-12},
+            {400, 8, "0.0000099266202021403138961426205916682", 1e-10}};
+  for(const auto& [x, y, sine2, room] : known)
+    CHECK(halves(x, y).sine2 == within(Fifty(sine2), room, "terms up to e^(0.66√a)"));
+  std::vector<double> a, q;
+  for(const double at : {0.0, 0.3, 1.0, 3.9, 9.0, 17.0, 36.0, 64.0, 77.7, 99.9, 123.0, 250.0, 400.0})
+    for(const double strength : {-8.0, -1.3, -1e-9, 0.0, 0.25, 2.0, 8.0})
+    {
+      a.push_back(at);
+      q.push_back(strength);
+    }
+  std::vector<Halves> row(a.size());
+  halves(a, q, row);
+  for(std::size_t k = 0; k < a.size(); ++k)
+  {
+    const Halves alone = halves(a[k], q[k]);
+    CHECK(alone.sine2 == row[k].sine2);
+    CHECK(alone.cosine2 == row[k].cosine2);
+    const double room = (1 + std::abs(alone.sine2)) * (3e-15 + 2e-16 * std::exp(0.66 * std::sqrt(a[k])));
+    CHECK(alone.sine2 + alone.cosine2 == within(1, room, "terms up to e^(0.66√a) cancel"));
+    if(a[k] == 0)
+      continue;
+    const Floquet integrated = floquet({std::sqrt(a[k]) / 2, 1, q[k] / 2});
+    CHECK(alone.half_trace() == within(integrated.half_trace, 4 * room, "the same, and √a is rounded"));
+  }
+  for(std::size_t v = 0; v < systems::count(); ++v)
+    for(const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{8}, a.size()})
+    {
+      std::vector<Halves> by_variant(count);
+      systems::kernels(v).halves_of_many(a.data(), q.data(), by_variant.data(), count);
+      for(std::size_t k = 0; k < count; ++k)
+      {
+        Halves one{};
+        systems::kernels(v).halves_of_one(a[k], q[k], one);
+        CHECK(by_variant[k].sine2 == row[k].sine2);
+        CHECK(by_variant[k].cosine2 == row[k].cosine2);
+        CHECK(one.sine2 == row[k].sine2);
+        CHECK(one.cosine2 == row[k].cosine2);
+      }
+    }
+  for(const auto& [x, y] :
+      {std::pair{-1e-9, 0.0}, {401.0, 0.0}, {1.0, 8.01}, {not_a_number, 0.0}, {1.0, not_a_number}})
+    CHECK_THROWS_AS(halves(x, y), std::domain_error);
+  CHECK_THROWS_AS(halves(a, std::span(q).first(3), row), std::invalid_argument);
 }
 
 TEST_CASE("growth, and the edges of the intervals in which swings grow")

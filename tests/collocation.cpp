@@ -297,7 +297,7 @@ TEST_CASE("sine and cosine are turned on by a small angle to rounding")
     for(const double by : {0.0, 1e-300, -1e-12, 1e-5, -1e-3, 0x1p-8, -0x1p-8})
     {
       double s[8], c[8];
-      const auto turned = collocation::turned_on(collocation::sincos(collocation::Eight(x)), by);
+      const auto turned = collocation::turned_on(sincos(collocation::Eight(x)), collocation::Eight(by));
       turned.sine.store(s);
       turned.cosine.store(c);
       const Fifty sum = Fifty(x) + by;

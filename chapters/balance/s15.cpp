@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "balance/mathieu.hpp"
 #include "edition/section.hpp"
 #include "exact/ode.hpp"
@@ -123,33 +125,50 @@ TELL
 
 /*!
 The chart of {{eq A}}. Its bounds are found here from the exponents themselves: from the middle of an interval
-outwards, where does the growth cease?
+outwards, where does the growth cease? Half a period of the beam tells it, by power series; all strengths $p$
+are looked at side by side ({{api balance::halves}}).
 */
 
-double bound(double strength, int order, double side)  // in μ, by halving
+std::vector<double> bounds(const std::vector<double>& strengths, int order,
+                           double side)  // in μ, by halving
 {
-  const Interval growing = unstable(1, strength, order);
-  const double middle = (growing.from + growing.to) / 2, half = (growing.to - growing.from) / 2;
-  if(half == 0)
-    return middle;
-  double in = 0, out = 1.25;
+  const std::size_t n = strengths.size();
+  std::vector<double> middle(n), half(n), in(n, 0), out(n, 1.25), A(n), q(n);
+  std::vector<Halves> at(n);
+  for(std::size_t k{0}; k < n; ++k)
+  {
+    const Interval growing = unstable(1, strengths[k], order);
+    middle[k] = (growing.from + growing.to) / 2;
+    half[k] = (growing.to - growing.from) / 2;
+    q[k] = 2 * strengths[k];
+  }
+  const auto where = [&](std::size_t k) { return middle[k] + side * (in[k] + out[k]) / 2 * half[k]; };
   for(int j = 0; j < 20; ++j)
   {
-    const double x = (in + out) / 2;
-    (floquet({1, middle + side * x * half, strength}).growth > 0 ? in : out) = x;
+    for(std::size_t k{0}; k < n; ++k)
+      A[k] = 4 / (where(k) * where(k));
+    halves(A, q, at);
+    for(std::size_t k{0}; k < n; ++k)
+      (at[k].growing() ? in : out)[k] = (in[k] + out[k]) / 2;
   }
-  return middle + side * (in + out) / 2 * half;
+  std::vector<double> found(n);
+  for(std::size_t k{0}; k < n; ++k)
+    found[k] = where(k);
+  return found;
 }
 
 TELL
 {
   curve("tongues", {"p", "from1", "to1", "from2", "to2", "from3", "to3"}, [](Curve& out) {
-    for(int j = 0; j <= 20; ++j)
-    {
-      const double s = 0.02 * j;
-      out.put({s, bound(s, 1, -1), bound(s, 1, 1), bound(s, 2, -1), bound(s, 2, 1), bound(s, 3, -1),
-               bound(s, 3, 1)});
-    }
+    std::vector<double> strengths(21);
+    for(std::size_t j{0}; j < strengths.size(); ++j)
+      strengths[j] = 0.02 * static_cast<double>(j);
+    std::vector<std::vector<double>> ends;
+    for(const int order : {1, 2, 3})
+      for(const double side : {-1., 1.})
+        ends.push_back(bounds(strengths, order, side));
+    for(std::size_t j{0}; j < strengths.size(); ++j)
+      out.put({strengths[j], ends[0][j], ends[1][j], ends[2][j], ends[3][j], ends[4][j], ends[5][j]});
   });
 }
 

@@ -8,8 +8,12 @@ namespace balance::systems
 {
 
 extern const Kernels BALANCE_VARIANT;
-const Kernels BALANCE_VARIANT = {BALANCE_NAME(BALANCE_VARIANT), collocation::engine_here<Fixed>,
-                                 collocation::engine_of_eight_here<Fixed>, collocation::engine_here<Hung>,
-                                 collocation::engine_here<Prescribed>};
+const Kernels BALANCE_VARIANT = {BALANCE_NAME(BALANCE_VARIANT),
+                                 collocation::engine_here<Fixed>,
+                                 collocation::engine_of_eight_here<Fixed>,
+                                 collocation::engine_here<Hung>,
+                                 collocation::engine_here<Prescribed>,
+                                 chart::halves_of_one,
+                                 chart::halves_of_many};
 
 }  // namespace balance::systems

@@ -29,6 +29,12 @@ void check(const Prescribed_beam& of)
     throw std::domain_error("no such pan: μ and λ must be positive, all finite");
 }
 
+void check(double a, double q)
+{
+  if(!(a >= 0 && a <= 400 && std::abs(q) <= 8))
+    throw std::domain_error("no such point of the chart: allowed are a from 0 to 400 and |q| up to 8");
+}
+
 /// In the time τ = λt, so that nothing depends on the unit.
 Pair_of_solutions solutions_at(const Prescribed_beam& of, double tau)
 {
@@ -40,13 +46,6 @@ Pair_of_solutions solutions_at(const Prescribed_beam& of, double tau)
   const auto at = motion.to(tau);
   return {at.x[0], at.v[0], at.x[1], at.v[1]};
 }
-
-/// ½(1 ∓ half trace) over a period, as products of what the solutions are after half of it.
-struct Halves
-{
-  double sine2;    ///< sin² of half the phase gained in a period of the beam, −y₁′y₂
-  double cosine2;  ///< cos² of it, y₁y₂′
-};
 
 /// μ² − x² for the frequency x of a solution whose lines lie at x + kλ, by the recurrence between them, near x = μ.
 double shift_by_lines(const Prescribed_beam& of, double shift)
@@ -133,9 +132,9 @@ Floquet floquet(const Prescribed_beam& of)
   check(of);
   const auto [x1, v1, x2, v2] = solutions_at(of, std::numbers::pi);
   const Halves h{-v1 * x2, x1 * v2};
-  Floquet f{2 * of.p, 4 * (of.mu / of.lambda) * (of.mu / of.lambda), h.cosine2 - h.sine2, of.mu, 0, 0};
+  Floquet f{2 * of.p, 4 * (of.mu / of.lambda) * (of.mu / of.lambda), h.half_trace(), of.mu, 0, 0};
   const int k = interval_of(f.a, f.q);
-  if(h.sine2 < 0 || h.cosine2 < 0)
+  if(h.growing())
   {
     const double sinh2 = -std::min(h.sine2, h.cosine2);
     const int order = h.cosine2 < 0 ? 2 * ((k + 1) / 2) + (k % 2 == 0 ? 1 : 0) : 2 * ((k + 1) / 2);
@@ -159,6 +158,23 @@ Floquet floquet(const Prescribed_beam& of)
     f.frequency = of.mu + shift;
   }
   return f;
+}
+
+Halves halves(double a, double q)
+{
+  check(a, q);
+  Halves at{};
+  systems::best().halves_of_one(a, q, at);
+  return at;
+}
+
+void halves(std::span<const double> a, std::span<const double> q, std::span<Halves> at)
+{
+  if(a.size() != q.size() || a.size() != at.size())
+    throw std::invalid_argument("a chart wants as many numbers a as q, and room for as many points");
+  for(std::size_t i = 0; i < a.size(); ++i)
+    check(a[i], q[i]);
+  systems::best().halves_of_many(a.data(), q.data(), at.data(), a.size());
 }
 
 Pan pan_under(const Prescribed_beam& of, const Pan& start, double t)

@@ -6,6 +6,7 @@
 /// a = 4μ²/λ² and q = 2p. Q has −p, that is P half a period later.
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace balance
@@ -34,6 +35,29 @@ struct Floquet
 /// spectrum. Relative errors below 1e-10 (tests/balance_linear.cpp) for |p| ≤ 1 and μ ≤ 20 λ.
 /// @throws std::domain_error unless μ, λ > 0 and all is finite; std::runtime_error if the equation cannot be integrated
 Floquet floquet(const Prescribed_beam& of);
+
+/// ½(1 ∓ half trace) of the change of (y, y′) in a period of the beam, as products of what the two solutions with y₁ = 1,
+/// y₁′ = 0 and y₂ = 0, y₂′ = 1 where the beam is farthest out are after half of it.
+struct Halves
+{
+  double sine2;  ///< sin² of half the phase gained in a period, −y₁′y₂; negative where the swings grow
+  double cosine2;  ///< cos² of it, y₁y₂′; negative where they grow, in the intervals of odd order
+
+  /// Half the trace.
+  double half_trace() const { return cosine2 - sine2; }
+  /// Whether the swings grow.
+  bool growing() const { return sine2 < 0 || cosine2 < 0; }
+};
+
+/// The same at a point (a, q) of the stability chart, for maps of it: by power series in sin² ½λt, a hundred times as quick
+/// as GSL integrates, and quicker yet for many points at a time, which have the bits that they have alone. Errors,
+/// absolute, or relative to a half trace beyond 1, measured against forty digits at 3900 points: 3e-14 for a ≤ 36, 1e-13
+/// for a ≤ 100, 1e-10 for a ≤ 400 (tests/balance_linear.cpp).
+/// @throws std::domain_error unless 0 ≤ a ≤ 400 and |q| ≤ 8; std::invalid_argument unless there are as many of each
+/// @{
+Halves halves(double a, double q);
+void halves(std::span<const double> a, std::span<const double> q, std::span<Halves> at);
+/// @}
 
 /// A pan's place and speed.
 struct Pan

@@ -2,6 +2,7 @@
 /// The equations that are integrated, as collocation/motion.hpp wants them: for one number, or for eight at once.
 #pragma once
 
+#include "balance/chart.hpp"
 #include "collocation/motion.hpp"
 
 namespace balance::systems
@@ -128,7 +129,7 @@ struct Prescribed
   }
 };
 
-/// The functions that carry these motions on, for one instruction set.
+/// The functions that carry these motions on and make the chart, for one instruction set.
 struct Kernels
 {
   const char* name;                               ///< "sse2", "avx2", "avx512", or "portable"
@@ -136,6 +137,11 @@ struct Kernels
   collocation::Engine<Fixed, 8> fixed_together;   ///< eight of them with different starts
   collocation::Engine<Hung, 1> hung;              ///< one in full
   collocation::Engine<Prescribed, 1> prescribed;  ///< one pan
+  /// A point of the stability chart, and `count` of them.
+  /// @{
+  void (*halves_of_one)(double a, double q, Halves& result);
+  void (*halves_of_many)(const double* a, const double* q, Halves* result, std::size_t count);
+  /// @}
 };
 
 /// How many this processor can run, from the plainest to the widest; at least one.

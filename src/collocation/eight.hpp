@@ -1,6 +1,6 @@
 /// @file
-/// Eight numbers worked on at once: in one register, in two or in four, as the processor has them. The bits are the
-/// same.
+/// Eight numbers worked on at once, in one register, in two or in four, as the processor has them; or as many as one
+/// register holds. The bits are the same.
 ///
 /// Everything lies in a namespace named after the registers' width and the variant, and is inlined always, so that no code
 /// made for one processor, or with a caller's flags, can be picked by the linker for another.
@@ -33,29 +33,70 @@ inline namespace COLLOCATION_REGISTERS
 {
 
 constexpr unsigned width = COLLOCATION_WIDTH;                              ///< numbers in a register
-constexpr unsigned parts = 8 / width;                                      ///< registers that hold eight
 using Wide = double __attribute__((vector_size(width * sizeof(double))));  ///< a register
 
-/// Answers to a question about each of eight numbers.
-struct Mask
+/// f of each register of the arguments.
+template <class Result, class Function, class First, class... Others>
+ELEMENTARY_INLINE Result each(Function f, const First& x, const Others&... others)
 {
-  decltype(Wide{} < Wide{}) part[parts];  ///< all bits set where it is true
+  Result result;
+  for(unsigned i = 0; i < First::parts; ++i)
+    result.part[i] = f(x.part[i], others.part[i]...);
+  return result;
+}
+
+/// Answers to a question about each of `count` numbers, all bits set where it is true.
+template <unsigned count>
+struct Answers
+{
+  static constexpr unsigned parts = count / width;  ///< registers that hold them
+  decltype(Wide{} < Wide{}) part[parts];            ///< in order
+
+  /// One by one.
+  /// @{
+  ELEMENTARY_INLINE friend Answers operator&(const Answers& x, const Answers& y)
+  {
+    return each<Answers>([](auto a, auto b) { return a & b; }, x, y);
+  }
+  ELEMENTARY_INLINE friend Answers operator|(const Answers& x, const Answers& y)
+  {
+    return each<Answers>([](auto a, auto b) { return a | b; }, x, y);
+  }
+  ELEMENTARY_INLINE friend Answers operator!(const Answers& x)
+  {
+    return each<Answers>([](auto a) { return ~a; }, x);
+  }
+  /// @}
+
+  /// Whether it is true of one at least.
+  ELEMENTARY_INLINE friend bool any(const Answers& x)
+  {
+    auto together = x.part[0];
+    for(unsigned i = 1; i < parts; ++i)
+      together |= x.part[i];
+    long long found = 0;
+    for(unsigned i = 0; i < width; ++i)
+      found |= together[i];
+    return found != 0;
+  }
 };
 
-/// Eight numbers.
-struct Eight
+/// `count` numbers.
+template <unsigned count>
+struct Several
 {
-  Wide part[parts];  ///< in order
+  static constexpr unsigned parts = count / width;  ///< registers that hold them
+  Wide part[parts];                                 ///< in order
 
-  Eight() = default;
-  /// Eight times x.
-  ELEMENTARY_INLINE Eight(double x)
+  Several() = default;
+  /// So many times x.
+  ELEMENTARY_INLINE Several(double x)
   {
     for(unsigned i = 0; i < parts; ++i)
       part[i] = Wide{} + x;
   }
   /// From memory.
-  ELEMENTARY_INLINE explicit Eight(const double* x)
+  ELEMENTARY_INLINE explicit Several(const double* x)
   {
     for(unsigned i = 0; i < parts; ++i)
       __builtin_memcpy(&part[i], x + i * width, sizeof(Wide));
@@ -66,77 +107,79 @@ struct Eight
     for(unsigned i = 0; i < parts; ++i)
       __builtin_memcpy(x + i * width, &part[i], sizeof(Wide));
   }
+
+  /// Number by number.
+  /// @{
+  ELEMENTARY_INLINE friend Several operator+(const Several& x, const Several& y)
+  {
+    return each<Several>([](Wide a, Wide b) { return a + b; }, x, y);
+  }
+  ELEMENTARY_INLINE friend Several operator-(const Several& x, const Several& y)
+  {
+    return each<Several>([](Wide a, Wide b) { return a - b; }, x, y);
+  }
+  ELEMENTARY_INLINE friend Several operator*(const Several& x, const Several& y)
+  {
+    return each<Several>([](Wide a, Wide b) { return a * b; }, x, y);
+  }
+  ELEMENTARY_INLINE friend Several operator/(const Several& x, const Several& y)
+  {
+    return each<Several>([](Wide a, Wide b) { return a / b; }, x, y);
+  }
+  ELEMENTARY_INLINE friend Several operator-(const Several& x)
+  {
+    return each<Several>([](Wide a) { return -a; }, x);
+  }
+  ELEMENTARY_INLINE friend Several magnitude(const Several& x)
+  {
+    return each<Several>([](Wide a) { return elementary::magnitude(a); }, x);
+  }
+  ELEMENTARY_INLINE friend Answers<count> operator<=(const Several& x, const Several& y)
+  {
+    return each<Answers<count>>([](Wide a, Wide b) { return a <= b; }, x, y);
+  }
+  ELEMENTARY_INLINE friend Answers<count> operator<(const Several& x, const Several& y)
+  {
+    return each<Answers<count>>([](Wide a, Wide b) { return a < b; }, x, y);
+  }
+  ELEMENTARY_INLINE friend Several select(const Answers<count>& which, const Several& x, const Several& y)
+  {
+    return each<Several>([](auto m, Wide a, Wide b) -> Wide { return m ? a : b; }, which, x, y);
+  }
+  ELEMENTARY_INLINE friend Several select(bool which, const Several& x, const Several& y)
+  {
+    return which ? x : y;
+  }
+  /// The square root.
+  ELEMENTARY_INLINE friend Several root(const Several& x)
+  {
+    double y[count];
+    x.store(y);
+    for(double& number : y)
+      number = __builtin_sqrt(number);
+    return Several(y);
+  }
+  /// Sine and cosine as elementary::circular::swift_sincos has them.
+  ELEMENTARY_INLINE friend elementary::SineCosine<Several> sincos(const Several& x)
+  {
+    elementary::SineCosine<Several> both;
+    for(unsigned i = 0; i < parts; ++i)
+    {
+      const auto [s, c] = elementary::circular::swift_sincos(x.part[i]);
+      both.sine.part[i] = s;
+      both.cosine.part[i] = c;
+    }
+    return both;
+  }
+  /// @}
 };
 
-/// f of each register of the arguments.
-template <class Result = Eight, class Function, class... Arguments>
-ELEMENTARY_INLINE Result each(Function f, const Arguments&... x)
-{
-  Result result;
-  for(unsigned i = 0; i < parts; ++i)
-    result.part[i] = f(x.part[i]...);
-  return result;
-}
-
-/// Number by number.
-/// @{
-ELEMENTARY_INLINE Eight operator+(const Eight& x, const Eight& y)
-{
-  return each([](Wide a, Wide b) { return a + b; }, x, y);
-}
-ELEMENTARY_INLINE Eight operator-(const Eight& x, const Eight& y)
-{
-  return each([](Wide a, Wide b) { return a - b; }, x, y);
-}
-ELEMENTARY_INLINE Eight operator*(const Eight& x, const Eight& y)
-{
-  return each([](Wide a, Wide b) { return a * b; }, x, y);
-}
-ELEMENTARY_INLINE Eight operator/(const Eight& x, const Eight& y)
-{
-  return each([](Wide a, Wide b) { return a / b; }, x, y);
-}
-ELEMENTARY_INLINE Eight operator-(const Eight& x)
-{
-  return each([](Wide a) { return -a; }, x);
-}
-ELEMENTARY_INLINE Eight magnitude(const Eight& x)
-{
-  return each([](Wide a) { return elementary::magnitude(a); }, x);
-}
-ELEMENTARY_INLINE Mask operator<=(const Eight& x, const Eight& y)
-{
-  return each<Mask>([](Wide a, Wide b) { return a <= b; }, x, y);
-}
-ELEMENTARY_INLINE Mask operator<(const Eight& x, const Eight& y)
-{
-  return each<Mask>([](Wide a, Wide b) { return a < b; }, x, y);
-}
-ELEMENTARY_INLINE Mask operator&(const Mask& x, const Mask& y)
-{
-  return each<Mask>([](auto a, auto b) { return a & b; }, x, y);
-}
-ELEMENTARY_INLINE Mask operator|(const Mask& x, const Mask& y)
-{
-  return each<Mask>([](auto a, auto b) { return a | b; }, x, y);
-}
-ELEMENTARY_INLINE Mask operator!(const Mask& x)
-{
-  return each<Mask>([](auto a) { return ~a; }, x);
-}
-ELEMENTARY_INLINE Eight select(const Mask& which, const Eight& x, const Eight& y)
-{
-  return each([](auto m, Wide a, Wide b) -> Wide { return m ? a : b; }, which, x, y);
-}
-/// @}
+using Eight = Several<8>;         ///< eight numbers
+using Register = Several<width>;  ///< as many as a register holds
 
 /// The same of one number.
 /// @{
 ELEMENTARY_INLINE double select(bool which, double x, double y)
-{
-  return which ? x : y;
-}
-ELEMENTARY_INLINE Eight select(bool which, const Eight& x, const Eight& y)
 {
   return which ? x : y;
 }
@@ -147,43 +190,6 @@ ELEMENTARY_INLINE bool any(bool x)
 ELEMENTARY_INLINE double root(double x)
 {
   return __builtin_sqrt(x);
-}
-/// @}
-
-/// Whether it is true of one at least.
-ELEMENTARY_INLINE bool any(const Mask& x)
-{
-  auto together = x.part[0];
-  for(unsigned i = 1; i < parts; ++i)
-    together |= x.part[i];
-  long long found = 0;
-  for(unsigned i = 0; i < width; ++i)
-    found |= together[i];
-  return found != 0;
-}
-
-/// The square root.
-ELEMENTARY_INLINE Eight root(const Eight& x)
-{
-  double y[8];
-  x.store(y);
-  for(double& number : y)
-    number = __builtin_sqrt(number);
-  return Eight(y);
-}
-
-/// Sine and cosine as elementary::circular::swift_sincos has them.
-/// @{
-ELEMENTARY_INLINE elementary::SineCosine<Eight> sincos(const Eight& x)
-{
-  elementary::SineCosine<Eight> both;
-  for(unsigned i = 0; i < parts; ++i)
-  {
-    const auto [s, c] = elementary::circular::swift_sincos(x.part[i]);
-    both.sine.part[i] = s;
-    both.cosine.part[i] = c;
-  }
-  return both;
 }
 ELEMENTARY_INLINE elementary::SineCosine<double> sincos(double x)
 {

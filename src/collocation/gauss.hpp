@@ -4,9 +4,9 @@
 /// For every smooth system x″ = F(t, x, x′) of n numbers. In each step the accelerations are a polynomial of the seventh
 /// degree that satisfies the equations at eight moments, the zeros of Legendre's polynomial; what is found so is right to
 /// the sixteenth order, keeps every quadratic invariant, and can be gone back. The eight moments are worked on at once,
-/// or, in an ensemble, eight motions. The equations of a step are solved by repetition, from the polynomial of the step
-/// before; what is added up is added with what the sums are rounded by. Sines and cosines of angles are found once or twice
-/// a step, and turned on from there while the repetitions come nearer to each other.
+/// or, in an ensemble, as many motions as a register holds. The equations of a step are solved by repetition, from the
+/// polynomial of the step before; what is added up is added with what the sums are rounded by. Sines and cosines of
+/// angles are found once or twice a step, and turned on from there while the repetitions come nearer to each other.
 ///
 /// The step is as long as the polynomial's last two coefficients allow, and kept as long as it may: a motion that returns
 /// is followed by equal steps, and so without drift. A motion that cannot be followed is refused, not guessed at.
@@ -47,9 +47,10 @@ inline namespace COLLOCATION_REGISTERS
 /// One motion: its eight stages are worked on at once.
 struct Alone
 {
-  static constexpr unsigned lanes = 1;   ///< motions
-  static constexpr unsigned pieces = 1;  ///< registers' worths of eight in Stages
+  static constexpr unsigned kept = 1;    ///< motions in a Record
+  static constexpr unsigned pieces = 1;  ///< that the stages are worked on in
   using Number = double;                 ///< one for each motion
+  using Piece = Eight;                   ///< the stages that are worked on at once
   using Stages = Eight;                  ///< one for each motion and stage
   using Answer = bool;                   ///< to a question about each motion
 
@@ -57,54 +58,58 @@ struct Alone
   /// @{
   ELEMENTARY_INLINE static double load(const double* x) { return *x; }
   ELEMENTARY_INLINE static void save(double* to, double x) { *to = x; }
-  ELEMENTARY_INLINE static Eight load_stages(const double (*x)[1]) { return Eight(&x[0][0]); }
-  ELEMENTARY_INLINE static void save_stages(double (*to)[1], const Eight& x) { x.store(&to[0][0]); }
+  ELEMENTARY_INLINE static Eight load_stages(const double (*x)[1], unsigned) { return Eight(&x[0][0]); }
+  ELEMENTARY_INLINE static void save_stages(double (*to)[1], unsigned, const Eight& x)
+  {
+    x.store(&to[0][0]);
+  }
   ELEMENTARY_INLINE static Eight table(const double* x) { return Eight(x); }
   /// @}
 };
 
-/// Eight motions: the stages one after the other.
+/// As many motions as a register holds, of the eight in a Record: the stages one after the other.
 struct Together
 {
-  static constexpr unsigned lanes = 8;   ///< motions
-  static constexpr unsigned pieces = 8;  ///< registers' worths of eight in Stages
-  using Number = Eight;                  ///< one for each motion
-  using Answer = Mask;                   ///< to a question about each motion
+  static constexpr unsigned kept = 8;    ///< motions in a Record
+  static constexpr unsigned pieces = 8;  ///< that the stages are worked on in
+  using Number = Register;               ///< one for each motion
+  using Piece = Register;                ///< a stage
+  using Answer = Answers<width>;         ///< to a question about each motion
   /// One for each motion and stage.
   struct Stages
   {
-    Eight at[8];  ///< by stage
+    Register at[8];  ///< by stage
 
     Stages() = default;
     /// The same at each stage.
-    ELEMENTARY_INLINE Stages(const Eight& x)
+    ELEMENTARY_INLINE Stages(const Register& x)
     {
-      for(Eight& one : at)
+      for(Register& one : at)
         one = x;
     }
   };
 
   /// From and to memory, and from a table of eight.
   /// @{
-  ELEMENTARY_INLINE static Eight load(const double* x) { return Eight(x); }
-  ELEMENTARY_INLINE static void save(double* to, const Eight& x) { x.store(to); }
-  ELEMENTARY_INLINE static Stages load_stages(const double (*x)[8])
+  ELEMENTARY_INLINE static Register load(const double* x) { return Register(x); }
+  ELEMENTARY_INLINE static void save(double* to, const Register& x) { x.store(to); }
+  ELEMENTARY_INLINE static Stages load_stages(const double (*x)[8], unsigned from)
   {
     Stages s;
     for(unsigned j = 0; j < 8; ++j)
-      s.at[j] = Eight(&x[j][0]);
+      s.at[j] = Register(&x[j][from]);
     return s;
   }
-  ELEMENTARY_INLINE static void save_stages(double (*to)[8], const Stages& x)
+  ELEMENTARY_INLINE static void save_stages(double (*to)[8], unsigned from, const Stages& x)
   {
     for(unsigned j = 0; j < 8; ++j)
-      x.at[j].store(&to[j][0]);
+      x.at[j].store(&to[j][from]);
   }
   ELEMENTARY_INLINE static Stages table(const double* x)
   {
     Stages s;
     for(unsigned j = 0; j < 8; ++j)
-      s.at[j] = Eight(x[j]);
+      s.at[j] = Register(x[j]);
     return s;
   }
   /// @}
@@ -122,28 +127,28 @@ ELEMENTARY_INLINE Together::Stages by_stage(Function f, const Arguments&... x)
 }
 ELEMENTARY_INLINE Together::Stages operator+(const Together::Stages& x, const Together::Stages& y)
 {
-  return by_stage([](const Eight& a, const Eight& b) { return a + b; }, x, y);
+  return by_stage([](const Register& a, const Register& b) { return a + b; }, x, y);
 }
 ELEMENTARY_INLINE Together::Stages operator-(const Together::Stages& x, const Together::Stages& y)
 {
-  return by_stage([](const Eight& a, const Eight& b) { return a - b; }, x, y);
+  return by_stage([](const Register& a, const Register& b) { return a - b; }, x, y);
 }
 ELEMENTARY_INLINE Together::Stages operator*(const Together::Stages& x, const Together::Stages& y)
 {
-  return by_stage([](const Eight& a, const Eight& b) { return a * b; }, x, y);
+  return by_stage([](const Register& a, const Register& b) { return a * b; }, x, y);
 }
 ELEMENTARY_INLINE Together::Stages magnitude(const Together::Stages& x)
 {
-  return by_stage([](const Eight& a) { return magnitude(a); }, x);
+  return by_stage([](const Register& a) { return magnitude(a); }, x);
 }
-ELEMENTARY_INLINE Together::Stages select(const Mask& which, const Together::Stages& x,
+ELEMENTARY_INLINE Together::Stages select(const Together::Answer& which, const Together::Stages& x,
                                           const Together::Stages& y)
 {
-  return by_stage([&which](const Eight& a, const Eight& b) { return select(which, a, b); }, x, y);
+  return by_stage([&which](const Register& a, const Register& b) { return select(which, a, b); }, x, y);
 }
-ELEMENTARY_INLINE Eight sum(const Together::Stages& x)
+ELEMENTARY_INLINE Register sum(const Together::Stages& x)
 {
-  const Eight* y = x.at;
+  const Register* y = x.at;
   return ((y[0] + y[4]) + (y[2] + y[6])) + ((y[1] + y[5]) + (y[3] + y[7]));
 }
 /// @}
@@ -158,11 +163,11 @@ ELEMENTARY_INLINE const Eight& piece(const Eight& x, unsigned)
 {
   return x;
 }
-ELEMENTARY_INLINE Eight& piece(Together::Stages& x, unsigned j)
+ELEMENTARY_INLINE Register& piece(Together::Stages& x, unsigned j)
 {
   return x.at[j];
 }
-ELEMENTARY_INLINE const Eight& piece(const Together::Stages& x, unsigned j)
+ELEMENTARY_INLINE const Register& piece(const Together::Stages& x, unsigned j)
 {
   return x.at[j];
 }
@@ -178,12 +183,13 @@ constexpr unsigned angles_of = [] {
 }();
 
 /// Sine and cosine of x + by, where those of x are given and |by| ≤ 2⁻⁸: by series, which break off below 2⁻⁵⁷.
-ELEMENTARY_INLINE elementary::SineCosine<Eight> turned_on(const elementary::SineCosine<Eight>& of_x,
-                                                          const Eight& by)
+template <class Piece>
+ELEMENTARY_INLINE elementary::SineCosine<Piece> turned_on(const elementary::SineCosine<Piece>& of_x,
+                                                          const Piece& by)
 {
-  const Eight z = by * by;
-  const Eight sine = by + (by * z) * (Eight(-1. / 6) + z * Eight(1. / 120));
-  const Eight less = z * (Eight(-0.5) + z * Eight(1. / 24));  // cos − 1
+  const Piece z = by * by;
+  const Piece sine = by + (by * z) * (Piece(-1. / 6) + z * Piece(1. / 120));
+  const Piece less = z * (Piece(-0.5) + z * Piece(1. / 24));  // cos − 1
   return {of_x.sine + (of_x.cosine * sine + of_x.sine * less),
           of_x.cosine + (of_x.cosine * less - of_x.sine * sine)};
 }
@@ -191,8 +197,8 @@ ELEMENTARY_INLINE elementary::SineCosine<Eight> turned_on(const elementary::Sine
 /// What the accelerations of a System want of the time at all stages: the time itself, or what the System's driven()
 /// makes of it, which is found once a step.
 /// @{
-template <class System>
-ELEMENTARY_INLINE Eight driven(const System& of, const Eight& t)
+template <class System, class Piece>
+ELEMENTARY_INLINE Piece driven(const System& of, const Piece& t)
 {
   if constexpr(requires { System::driven(of, t); })
     return System::driven(of, t);
@@ -202,7 +208,7 @@ ELEMENTARY_INLINE Eight driven(const System& of, const Eight& t)
 template <class System>
 ELEMENTARY_INLINE Together::Stages driven(const System& of, const Together::Stages& t)
 {
-  return by_stage([&of](const Eight& at) { return driven(of, at); }, t);
+  return by_stage([&of](const Register& at) { return driven(of, at); }, t);
 }
 /// @}
 
@@ -214,7 +220,7 @@ struct Integrals
   Stages twice;  ///< Σ of coefficients::twice times F
 };
 
-/// The integrals of one motion's stages F, or of eight motions' side by side.
+/// The integrals of one motion's stages F, and of all numbers' of several motions side by side.
 /// @{
 ELEMENTARY_INLINE Integrals<Eight> integrals(const Eight& F)
 {
@@ -233,36 +239,48 @@ ELEMENTARY_INLINE Integrals<Eight> integrals(const Eight& F)
   }
   return {even1 + odd1, even2 + odd2};
 }
-ELEMENTARY_INLINE Integrals<Together::Stages> integrals(const Together::Stages& F)
+template <unsigned n>
+ELEMENTARY_INLINE void integrals(const Together::Stages (&F)[n], Integrals<Together::Stages> (&of_F)[n])
 {
   using coefficients::once, coefficients::twice;
-  Integrals<Together::Stages> result;
 #pragma GCC unroll 1
   for(unsigned i = 0; i < 8; ++i)
   {
-    Eight even1 = Eight(once[0][i]) * F.at[0], odd1 = Eight(once[1][i]) * F.at[1];
-    Eight even2 = Eight(twice[0][i]) * F.at[0], odd2 = Eight(twice[1][i]) * F.at[1];
+    Integrals<Register> even[n], odd[n];
+    for(unsigned k = 0; k < n; ++k)
+    {
+      even[k] = {Register(once[0][i]) * F[k].at[0], Register(twice[0][i]) * F[k].at[0]};
+      odd[k] = {Register(once[1][i]) * F[k].at[1], Register(twice[1][i]) * F[k].at[1]};
+    }
+#pragma GCC unroll 3
     for(unsigned j = 2; j < 8; j += 2)
     {
-      even1 = even1 + Eight(once[j][i]) * F.at[j];
-      odd1 = odd1 + Eight(once[j + 1][i]) * F.at[j + 1];
-      even2 = even2 + Eight(twice[j][i]) * F.at[j];
-      odd2 = odd2 + Eight(twice[j + 1][i]) * F.at[j + 1];
+      const Register once_even(once[j][i]), twice_even(twice[j][i]), once_odd(once[j + 1][i]),
+          twice_odd(twice[j + 1][i]);
+      for(unsigned k = 0; k < n; ++k)
+      {
+        even[k].once = even[k].once + once_even * F[k].at[j];
+        even[k].twice = even[k].twice + twice_even * F[k].at[j];
+        odd[k].once = odd[k].once + once_odd * F[k].at[j + 1];
+        odd[k].twice = odd[k].twice + twice_odd * F[k].at[j + 1];
+      }
     }
-    result.once.at[i] = even1 + odd1;
-    result.twice.at[i] = even2 + odd2;
+    for(unsigned k = 0; k < n; ++k)
+    {
+      of_F[k].once.at[i] = even[k].once + odd[k].once;
+      of_F[k].twice.at[i] = even[k].twice + odd[k].twice;
+    }
   }
-  return result;
 }
 /// @}
 
-/// |x| of one number or of eight.
+/// |x| of one number or of several.
 /// @{
 ELEMENTARY_INLINE double magnitude_of(double x)
 {
   return elementary::magnitude(x);
 }
-ELEMENTARY_INLINE Eight magnitude_of(const Eight& x)
+ELEMENTARY_INLINE Register magnitude_of(const Register& x)
 {
   return magnitude(x);
 }
@@ -274,9 +292,9 @@ ELEMENTARY_INLINE double trimmed(double x)
 {
   return elementary::from_bits<double>(elementary::bits_of(x) & ~std::uint64_t{0x1fffffff});
 }
-ELEMENTARY_INLINE Eight trimmed(const Eight& x)
+ELEMENTARY_INLINE Register trimmed(const Register& x)
 {
-  return each(
+  return each<Register>(
       [](Wide a) {
         return elementary::from_bits<Wide>(elementary::bits_of(a) & ~std::uint64_t{0x1fffffff});
       },
@@ -290,7 +308,7 @@ ELEMENTARY_INLINE void split(const Eight& x, double (&numbers)[8])
 {
   x.store(numbers);
 }
-ELEMENTARY_INLINE void split(const Together::Stages& x, Eight (&numbers)[8])
+ELEMENTARY_INLINE void split(const Together::Stages& x, Register (&numbers)[8])
 {
   for(unsigned j = 0; j < 8; ++j)
     numbers[j] = x.at[j];
@@ -304,27 +322,28 @@ class Course
 public:
   static constexpr unsigned n = System::freedoms;  ///< numbers that move
   using Number = typename Layout::Number;          ///< one for each motion
+  using Piece = typename Layout::Piece;            ///< some of
   using Stages = typename Layout::Stages;          ///< one for each motion and stage
   using Answer = typename Layout::Answer;          ///< to a question about each motion
-  using Kept = Record<n, Layout::lanes>;           ///< the motion in memory
+  using Kept = Record<n, Layout::kept>;            ///< the motion in memory
 
-  /// The motion as it is kept.
-  ELEMENTARY_INLINE Course(const System& of, const Kept& kept) : of_(of)
+  /// The motion as it is kept; of several, those from number `from` on.
+  ELEMENTARY_INLINE Course(const System& of, const Kept& kept, unsigned from = 0) : of_(of), from_(from)
   {
     for(unsigned k = 0; k < n; ++k)
     {
-      x_[k] = Layout::load(kept.x[k]);
-      x_lost_[k] = Layout::load(kept.x_lost[k]);
-      v_[k] = Layout::load(kept.v[k]);
-      v_lost_[k] = Layout::load(kept.v_lost[k]);
-      F_[k] = Layout::load_stages(kept.forces[k]);
+      x_[k] = Layout::load(kept.x[k] + from_);
+      x_lost_[k] = Layout::load(kept.x_lost[k] + from_);
+      v_[k] = Layout::load(kept.v[k] + from_);
+      v_lost_[k] = Layout::load(kept.v_lost[k] + from_);
+      F_[k] = Layout::load_stages(kept.forces[k], from_);
     }
-    t_ = Layout::load(kept.t);
-    t_lost_ = Layout::load(kept.t_lost);
-    step_ = Layout::load(kept.step);
-    last_step_ = Layout::load(kept.last_step);
-    trouble_ = Layout::load(kept.trouble);
-    refused_ = Layout::load(kept.refused);
+    t_ = Layout::load(kept.t + from_);
+    t_lost_ = Layout::load(kept.t_lost + from_);
+    step_ = Layout::load(kept.step + from_);
+    last_step_ = Layout::load(kept.last_step + from_);
+    trouble_ = Layout::load(kept.trouble + from_);
+    refused_ = Layout::load(kept.refused + from_);
   }
 
   /// Keeps it.
@@ -332,18 +351,18 @@ public:
   {
     for(unsigned k = 0; k < n; ++k)
     {
-      Layout::save(kept.x[k], x_[k]);
-      Layout::save(kept.x_lost[k], x_lost_[k]);
-      Layout::save(kept.v[k], v_[k]);
-      Layout::save(kept.v_lost[k], v_lost_[k]);
-      Layout::save_stages(kept.forces[k], F_[k]);
+      Layout::save(kept.x[k] + from_, x_[k]);
+      Layout::save(kept.x_lost[k] + from_, x_lost_[k]);
+      Layout::save(kept.v[k] + from_, v_[k]);
+      Layout::save(kept.v_lost[k] + from_, v_lost_[k]);
+      Layout::save_stages(kept.forces[k], from_, F_[k]);
     }
-    Layout::save(kept.t, t_);
-    Layout::save(kept.t_lost, t_lost_);
-    Layout::save(kept.step, step_);
-    Layout::save(kept.last_step, last_step_);
-    Layout::save(kept.trouble, trouble_);
-    Layout::save(kept.refused, refused_);
+    Layout::save(kept.t + from_, t_);
+    Layout::save(kept.t_lost + from_, t_lost_);
+    Layout::save(kept.step + from_, step_);
+    Layout::save(kept.last_step + from_, last_step_);
+    Layout::save(kept.trouble + from_, trouble_);
+    Layout::save(kept.refused + from_, refused_);
   }
 
   /// Carries it on by whole steps as long as none leads beyond `until`, or, `exactly`, to that moment by a last step as
@@ -373,6 +392,7 @@ private:
   };
 
   const System& of_;
+  unsigned from_;
   Number x_[n], x_lost_[n], v_[n], v_lost_[n];
   Number t_, t_lost_, step_, last_step_, trouble_, refused_;
   Stages F_[n];  // of the last step
@@ -425,12 +445,16 @@ private:
   {
     Stages x[n], v[n];
     const Stages h_of_all(h);
+    Integrals<Stages> of_F[n];
+    if constexpr(Layout::pieces > 1)
+      integrals(F, of_F);
     for(unsigned k = 0; k < n; ++k)
     {
-      const Integrals<Stages> of_F = integrals(F[k]);
-      v[k] = Stages(v_[k]) + h_of_all * of_F.once;
+      if constexpr(Layout::pieces == 1)
+        of_F[k] = integrals(F[k]);
+      v[k] = Stages(v_[k]) + h_of_all * of_F[k].once;
       const Stages drift = of_step * Stages(v_[k]);
-      x[k] = Stages(x_[k]) + (drift + (h_of_all * h_of_all) * of_F.twice);
+      x[k] = Stages(x_[k]) + (drift + (h_of_all * h_of_all) * of_F[k].twice);
     }
     forces(drive, x, v, busy, anew, turned, G);
   }
@@ -454,7 +478,7 @@ private:
 #pragma GCC unroll 1
     for(unsigned j = 0; j < Layout::pieces; ++j)
     {
-      Eight at[n], rate[n], acceleration[n];
+      Piece at[n], rate[n], acceleration[n];
       for(unsigned k = 0; k < n; ++k)
       {
         at[k] = piece(x[k], j);
@@ -462,10 +486,10 @@ private:
       }
       if constexpr(angles > 0)
       {
-        elementary::SineCosine<Eight> now[angles];
+        elementary::SineCosine<Piece> now[angles];
         for(unsigned k = 0; k < angles; ++k)
         {
-          Eight &from = piece(turned.from[k], j), &sine = piece(turned.sine[k], j),
+          Piece &from = piece(turned.from[k], j), &sine = piece(turned.sine[k], j),
                 &cosine = piece(turned.cosine[k], j);
           if(renewed)
           {
@@ -475,7 +499,7 @@ private:
             cosine = anew ? now[k].cosine : select(stale, now[k].cosine, cosine);
           }
           if(!anew)
-            now[k] = turned_on({sine, cosine}, at[k] - from);
+            now[k] = turned_on<Piece>({sine, cosine}, at[k] - from);
         }
         System::accelerations(of_, piece(drive, j), at, now, rate, acceleration);
       }

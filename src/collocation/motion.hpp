@@ -86,14 +86,48 @@ void advance_alone(const System& of, Record<System::freedoms, 1>& kept, const do
   course.keep(kept);
 }
 
-/// Carries eight on; see Course.
+/// Copies the motion number `of` to the place number `to`.
+template <unsigned n, unsigned some, unsigned others>
+ELEMENTARY_INLINE void copy(const Record<n, some>& from, unsigned of, Record<n, others>& record,
+                            unsigned to)
+{
+  for(unsigned k = 0; k < n; ++k)
+  {
+    record.x[k][to] = from.x[k][of];
+    record.x_lost[k][to] = from.x_lost[k][of];
+    record.v[k][to] = from.v[k][of];
+    record.v_lost[k][to] = from.v_lost[k][of];
+    for(unsigned j = 0; j < 8; ++j)
+      record.forces[k][j][to] = from.forces[k][j][of];
+  }
+  record.t[to] = from.t[of];
+  record.t_lost[to] = from.t_lost[of];
+  record.step[to] = from.step[of];
+  record.last_step[to] = from.last_step[of];
+  record.trouble[to] = from.trouble[of];
+  record.refused[to] = from.refused[of];
+}
+
+/// Carries eight on, as many at a time as a register holds, or, where it holds but two, one after the other, which is the
+/// quicker there; see Course.
 template <class System>
 void advance_together(const System& of, Record<System::freedoms, 8>& kept, const double* until,
                       bool exactly, Effort& effort)
 {
-  Course<Together, System> course(of, kept);
-  course.advance(Eight(until), exactly, effort);
-  course.keep(kept);
+  for(unsigned from = 0; from < 8; from += width == 2 ? 1 : width)
+    if constexpr(width == 2)
+    {
+      Record<System::freedoms, 1> one;
+      copy(kept, from, one, 0);
+      advance_alone(of, one, until + from, exactly, effort);
+      copy(one, 0, kept, from);
+    }
+    else
+    {
+      Course<Together, System> course(of, kept, from);
+      course.advance(Register(until + from), exactly, effort);
+      course.keep(kept);
+    }
 }
 
 /// The functions compiled with this file's flags.
@@ -217,7 +251,7 @@ public:
     return now;
   }
 
-  /// What it has cost so far; a step or a sweep is one of all eight.
+  /// What it has cost so far; a step or a sweep is one of all that are followed side by side.
   const Effort& effort() const { return effort_; }
 
 private:
