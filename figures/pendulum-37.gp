@@ -7,8 +7,8 @@ set format y "10^{%T}"
 set xlabel "angle from the top, η"
 set ylabel "left out of {/:Italic K}" offset 0, 0
 set label "five decimals" at 1.1, 1.6e-5 left textcolor linetype 6
-set label "three members" at 2.3, 2e-8 left textcolor linetype 3
-set label "four members" at 5.3, 2.2e-9 left textcolor linetype 3
+set label "three members" at 1.1, 6e-7 left textcolor linetype 3
+set label "four members" at 4.3, 3e-9 right textcolor linetype 3
 set label "his series, 1000 terms" at 4.4, 0.02 right textcolor linetype 4
 set label "100 terms" at 13, 0.02 right textcolor linetype 4
 set label "10 terms" at 24.5, 0.2 right textcolor linetype 4

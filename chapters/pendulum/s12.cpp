@@ -185,7 +185,9 @@ CHECK_THAT("the series in c, with 4q/(1+q)² for cc, is (1+q) times the series i
   for(int n = 0; n <= 24; ++n)
     squares.push_back(pow(exact::double_factorial_ratio(n), 2));
   const Formal F(squares, 24), q = Formal::x(24), one = Formal(1).truncated(24);
-  CHECK(compose(F, Formal(4) * q / pow(one + q, 2)) == (one + q) * compose(F, q * q));
+  const Formal in_c = compose(F, Formal(4) * q / pow(one + q, 2)), in_q = (one + q) * compose(F, q * q);
+  for(int n = 0; n <= 24; ++n)
+    CHECK(in_c[n] == in_q[n]);
 }
 
 CHECK_THAT("the series after one step gives the time")

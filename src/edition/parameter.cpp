@@ -268,7 +268,7 @@ AmplitudeParameter both(double zeta, double eta, Range range, Source source)
   const Parameter<double> z =
       angle("zeta", zeta, range, "amplitude, from the lowest point to the turning point", source);
   const Parameter<double> e =
-      angle("eta", eta, from_top, "the same from the top: eta = 180° - zeta", source);
+      angle("eta", eta, from_top, "the same from the top: eta = 180° − zeta", source);
   auto& p = section().parameters;
   p.back().logarithmic = true;
   p.back().exact_lo = exact::pi() - p[p.size() - 2].exact_hi;
