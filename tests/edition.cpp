@@ -193,6 +193,50 @@ TEST_CASE("a comparison remembers what it used of its tolerance, and an infinity
   CHECK_FALSE(1.0 == within(Fifty(std::nan("")), 1e300, "no number is expected"));
 }
 
+TEST_CASE("a block tells again only where a parameter that it read is another, or more curves are wanted")
+{
+  static int of_b = 0;
+  static int of_none = 0;
+  Section& s = scene();
+  s.telling = {{[] {
+                 const Parameter<double> b(2);
+                 ++of_b;
+                 tell("twice", 2 * b, metres, "two of them");
+                 curve("line", {"x"}, [&](Curve& out) { out.put({b}); });
+               }},
+               {[] {
+                 ++of_none;
+                 tell("one", 1, "always");
+               }}};
+  const auto told = [&](const char* b, const char* zeta, const Wanted& wanted) {
+    set_parameters(s, {{"b", b}, {"zeta", zeta}});
+    tell_anew(s, wanted);
+    REQUIRE(s.said.values.size() == 2);
+    CHECK(s.said.values[1].name == "one");
+    CHECK(std::get<double>(s.said.values[0].number) == 2 * parameter(s, "b").value);
+    REQUIRE(s.said.curves.size() == 1);
+    if(!wanted.figures)
+      return;
+    REQUIRE(s.said.curves[0].points.size() == 1);
+    CHECK(s.said.curves[0].points[0][0] == parameter(s, "b").value);
+  };
+  told("0.1", "90", {});
+  told("0.1", "60", {});  // ζ was not read
+  CHECK(of_b == 1);
+  told("0.3", "60", {});
+  CHECK(of_b == 2);
+  CHECK(of_none == 1);
+  told("0.3", "60", {true, true, false});
+  told("0.3", "70", {true, false, false});  // fewer curves
+  CHECK(of_b == 3);
+  CHECK(of_none == 1);  // it has none
+  tell_anew(s, {false, false, true});
+  CHECK(of_b == 4);
+  told("0.3", "60", {});  // what was told with times is not kept
+  CHECK(of_b == 5);
+  s.telling.clear();
+}
+
 TEST_CASE("words in a claim are shown, and not the place in the memory where they lie")
 {
   const char* const words = "Huygens";

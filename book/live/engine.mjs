@@ -3,14 +3,19 @@
 
 const style = 'figures/style.gp';
 
-async function unpacked(base64) {
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+function bytes(base64) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(base64);
+  const text = atob(base64);
+  const result = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i += 1) result[i] = text.charCodeAt(i);
+  return result;
 }
 
-/** What makes an instance of a packed module whose script calls itself `name`. */
+/** What makes an instance of a packed module whose script calls itself `name`. It is compiled while it is unpacked. */
 async function maker({ glue, wasm }, name) {
-  const compiled = await WebAssembly.compile(await unpacked(wasm));
+  const unpacked = new Blob([bytes(wasm)]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const type = { headers: { 'Content-Type': 'application/wasm' } };
+  const compiled = await WebAssembly.compileStreaming(new Response(unpacked, type));
   const make = new Function(`${glue}; return ${name};`)();
   const instantiateWasm = (imports, done) => {
     const instance = new WebAssembly.Instance(compiled, imports);
@@ -26,18 +31,31 @@ export class Engine {
     this.edition = maker(packs[chapter], 'Edition').then((make) => make());
     this.gnuplot = maker(packs.gnuplot, 'Gnuplot');
     this.data = {};
+    this.drawn = new Map(); // of each figure what it was drawn from last, and what came of it
   }
 
-  async ask(what, program, given) {
+  async ask(what, program, given, figures = false) {
     const edition = await this.edition;
-    return JSON.parse(edition.ccall(what, 'string', ['string', 'string'], [program, JSON.stringify(given)]));
+    const types = ['string', 'string', 'boolean'];
+    return JSON.parse(edition.ccall(what, 'string', types, [program, JSON.stringify(given), figures]));
   }
 
-  /** { told, text, data } of a section with `given`; or { refused } or { failed }, a sentence. */
+  /** { told, text } of a section with `given`, without its figures. */
+  say(program, given) {
+    return this.ask('live_tell', program, given);
+  }
+
+  /** { told, text } of a section with `given`; or { refused } or { failed }, a sentence. The data for its figures are kept. */
   async tell(program, given) {
-    const answer = await this.ask('live_tell', program, given);
-    if (answer.data) this.data = answer.data;
+    const { data, ...answer } = await this.ask('live_tell', program, given, true);
+    if (data) this.data = data;
     return answer;
+  }
+
+  /** The frames of a scene with `given`, tab-separated; or undefined where it has none. */
+  async frames(program, scene, given) {
+    const { data } = await this.ask('live_frames', program, given);
+    return data?.[`${program}.${scene}.tsv`];
   }
 
   /** { checked } of a section with `given`; or { refused } or { failed }. */
@@ -45,16 +63,34 @@ export class Engine {
     return this.ask('live_check', program, given);
   }
 
-  /** The SVG of a figure with the data that were told last. What gnuplot says is a fault: it warns and draws on. */
-  async draw(figure) {
+  /** An instance of gnuplot, which is good for one drawing, and what it says: a fault, for it warns and draws on. */
+  async begun() {
     const said = [];
     const say = (line) => said.push(line);
-    const make = await this.gnuplot;
     const quit = (_, status) => {
       throw status;
     };
-    const { FS, callMain } = await make({ print: say, printErr: say, quit });
-    for (const folder of ['/figures', '/data']) FS.mkdir(folder);
+    const instance = await (await this.gnuplot)({ print: say, printErr: say, quit });
+    for (const folder of ['/figures', '/data']) instance.FS.mkdir(folder);
+    return { ...instance, said };
+  }
+
+  /** The SVG of a figure with the data that were told last; where these are what they were, the one that was drawn. */
+  async draw(figure) {
+    const words = this.scripts[`figures/${figure}.gp`];
+    const named = [...words.matchAll(/\btsv\(([^()]*)\)/g)].map(([, name]) => /^"([^"]*)"$/.exec(name)?.[1]);
+    const files = named.every(Boolean) ? named.map((name) => `${name}.tsv`) : Object.keys(this.data);
+    const from = files.map((file) => this.data[file]).join('\f');
+    if (this.drawn.get(figure)?.from !== from) this.drawn.set(figure, { from, svg: await this.drawing(figure) });
+    return this.drawn.get(figure).svg;
+  }
+
+  async drawing(figure) {
+    const { FS, callMain, said } = await (this.next ?? this.begun());
+    this.next = null;
+    setTimeout(() => {
+      this.next ??= this.begun(); // while nothing is asked
+    });
     const script = `figures/${figure}.gp`;
     for (const name of [style, script]) FS.writeFile(`/${name}`, this.scripts[name]);
     for (const [name, content] of Object.entries(this.data)) FS.writeFile(`/data/${name}`, content);

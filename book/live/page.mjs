@@ -166,6 +166,14 @@ const as = (told, spec, bare) => {
 
 let bookTold = null; // what the program tells with Euler's numbers
 
+async function book() {
+  if (!bookTold) {
+    bookTold = (await ask('say', program, {})).told;
+    ({ parameters } = bookTold);
+  }
+  return bookTold;
+}
+
 /** The numbers in the prose, the captions and the tables' heads. */
 function putProse(value, usual) {
   for (const data of all('data[data-name]')) {
@@ -348,15 +356,16 @@ function putFields(told) {
 }
 
 const scenes = [];
-let last = null; // what was told last
+let last = null; // what was told last, and with what
 
 async function tell() {
-  const answer = await ask('tell', program, Object.fromEntries(given));
+  const these = Object.fromEntries(given);
+  const answer = await ask('tell', program, these);
   if (answer.refused) refuse(answer.refused);
   else if (answer.failed) refuse(`This section cannot tell it: ${answer.failed}`);
   else {
     refuse('');
-    last = answer;
+    last = { ...answer, with: these };
   }
   return !answer.refused && !answer.failed;
 }
@@ -374,12 +383,7 @@ async function run() {
     sayWhose();
   }, 100);
   try {
-    if (!bookTold) {
-      const answer = await ask('tell', program, {});
-      bookTold = answer.told;
-      parameters = bookTold.parameters;
-      last ??= answer;
-    }
+    await book();
     while (again) {
       again = false;
       if (!given.size) {
@@ -485,10 +489,7 @@ for (const [name, input] of inputs)
   });
 for (const [name, slide] of slides)
   slide.addEventListener('input', async () => {
-    if (!parameters) {
-      bookTold = (await ask('tell', program, {})).told;
-      ({ parameters } = bookTold);
-    }
+    await book();
     const input = inputs.get(name);
     input.value = typed(slider(parameters.find((p) => p.name === name)).number(slide.value));
     give(name, input.value);
@@ -518,8 +519,10 @@ for (const figure of all('figure[data-scene]')) {
   const name = figure.dataset.scene;
   scenes.push(
     new Moving(figure, async () => {
-      const answer = given.size && last ? last : await ask('tell', program, {});
-      return [answer.told.scenes.find((s) => s.name === name), answer.data[`${program}.${name}.tsv`]];
+      const yours = given.size ? last : null;
+      const told = yours?.told ?? (await book());
+      const scene = told.scenes.find((s) => s.name === name);
+      return [scene, scene && (await ask('frames', program, name, yours?.with ?? {}))];
     }),
   );
 }
@@ -533,10 +536,6 @@ const moved = [...slides].filter(([, slide]) => slide.value !== atRest(slide));
 if (fromAddress() || early.length) run();
 else if (moved.length) for (const [, slide] of moved) slide.dispatchEvent(new Event('input'));
 else
-  ask('tell', program, {}).then((answer) => {
-    bookTold ??= answer.told;
-    ({ parameters } = bookTold);
-    state('ready');
-  });
+  book().then(() => state('ready'));
 self.liveListens = true;
 self.liveWanted?.click();

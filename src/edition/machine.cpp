@@ -1,5 +1,6 @@
 // How a section reads to machines: JSON, and tab-separated data for the figures.
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -254,7 +255,12 @@ std::vector<std::pair<std::string, std::string>> data_files(const Section& s)
     file(t->name, names, tsv(*t));
   }
   for(const ToldCurve& c : s.said.curves)
-    file(c.name, c.columns, c.lines);
+  {
+    const bool frames = std::any_of(s.said.scenes.begin(), s.said.scenes.end(),
+                                    [&](const ToldScene& scene) { return scene.name == c.name; });
+    if(frames ? s.wanted.scenes : s.wanted.figures)
+      file(c.name, c.columns, c.lines);
+  }
   return files;
 }
 

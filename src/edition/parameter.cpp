@@ -207,22 +207,34 @@ double in_unit(double x, const Unit& unit)
   return unit.of_angle ? static_cast<double>(to_unit(Fifty(x), unit)) : x * unit.factor;
 }
 
+namespace
+{
+
+const ParameterEntry& read(std::size_t index)
+{
+  ParameterEntry& p = section().parameters[index];
+  p.read = true;
+  return p;
+}
+
+}  // namespace
+
 template <>
 Parameter<double>::operator double() const
 {
-  return section().parameters[index_].value;
+  return read(index_).value;
 }
 
 template <>
 Fifty Parameter<double>::fifty() const
 {
-  return section().parameters[index_].exact;
+  return read(index_).exact;
 }
 
 template <>
 Parameter<int>::operator int() const
 {
-  return static_cast<int>(section().parameters[index_].value);
+  return static_cast<int>(read(index_).value);
 }
 
 Default at_most(double usual, const char* in_words, std::function<Fifty()> most)

@@ -168,7 +168,7 @@ int answer(Section& s, const std::vector<std::string>& arguments)
     return result.passed ? 0 : 1;
   }
   const bool data = !r.data.empty();
-  tell_anew(s, {data, r.bench});
+  tell_anew(s, {data, data, r.bench});
   const std::string written = data ? write_data(s, r.data) : "";
   say(r.json ? as_json(s) : data ? written : r.bench ? races_as_text(s) : as_text(s));
   return 0;

@@ -2,6 +2,7 @@
 /// What a section has declared and told, as the program's faces (text, JSON, data, checks, races) see it.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -50,6 +51,8 @@ struct ParameterEntry
   double value;       ///< `exact`, rounded.
   double shown;       ///< In `unit`.
   std::string given;  ///< What the reader wrote; empty if nothing.
+
+  bool read = false;  ///< Whether its number was asked for since this was last made false.
 };
 
 /// A value as told, in the program's unit.
@@ -106,19 +109,38 @@ struct ToldRace
 struct Said
 {
   std::vector<ToldValue> values;
-  std::vector<std::unique_ptr<Table>> tables;
+  std::vector<std::shared_ptr<Table>> tables;
   std::vector<ToldCurve> curves;
   std::vector<ToldScene> scenes;
   std::vector<ToldRace> races;
   std::vector<std::pair<std::string, std::string>> illustrations;  ///< What no claim looks at, and why.
-  bool has_data = false;                                           ///< Whether the curves were drawn.
+  bool has_data = false;                                           ///< Whether all curves were drawn.
 };
 
 /// What this run is asked for beyond the telling itself.
 struct Wanted
 {
-  bool data = false;
+  bool figures = false;  ///< The curves.
+  bool scenes = false;   ///< The frames of scenes, which are curves too.
   bool timing = false;
+};
+
+/// A TELL block, and what it told last: what it would tell again while the parameters that it read are what they were.
+struct Block
+{
+  /// A parameter that was read, and what it was.
+  struct Read
+  {
+    std::size_t index;
+    Fifty exact;
+    double value;
+  };
+
+  void (*body)();
+  std::optional<Wanted> with =
+      {};  ///< What it was asked for; nothing where it has not told, or with times.
+  std::vector<Read> read = {};
+  Said told = {};
 };
 
 /// A section of this program.
@@ -130,7 +152,7 @@ struct Section
   std::vector<std::string> faults;  ///< What was declared wrongly, with its place.
   std::vector<ParameterEntry> parameters;
   std::vector<Entry> apparatus;
-  std::vector<void (*)()> telling;  ///< The TELL blocks, in the file's order.
+  std::vector<Block> telling;  ///< The TELL blocks, in the file's order.
   Wanted wanted;
   Said said;  ///< What was told last.
 
@@ -160,8 +182,13 @@ void reconcile_amplitude(Section& s);
 /// Gives all parameters their defaults but for these, by name; BadInput if one is unknown or refused.
 void set_parameters(Section& s, const std::vector<std::pair<std::string, std::string>>& given);
 
-/// Has the section tell: what it said before is forgotten.
+/// Has the section tell: what it said before is forgotten. A block runs again only where a parameter that it read
+/// last time is another now, or more curves are wanted.
 void tell_anew(Section& s, Wanted wanted);
+
+/// Tells a curve, which is drawn where that is `wanted`.
+void add_curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw,
+               bool wanted);
 
 /// A number of the program's unit in `unit`.
 double in_unit(double x, const Unit& unit);
@@ -185,7 +212,7 @@ std::string as_text(const Section& s);
 std::string as_json(const Section& s);
 /// The races alone, as a person reads them.
 std::string races_as_text(const Section& s);
-/// Tables and curves as tab-separated files: name and content.
+/// Tables and the curves that were wanted, as tab-separated files: name and content.
 std::vector<std::pair<std::string, std::string>> data_files(const Section& s);
 /// Writes data_files() into `folder`, each complete or not at all; returns their paths one a line. Throws
 /// std::runtime_error when it cannot.

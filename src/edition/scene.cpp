@@ -59,7 +59,7 @@ void scene(const char* name, std::vector<Body> bodies, std::vector<std::string> 
   }
   if(columns.empty() || columns.front() != "t")
     throw std::logic_error(fmt::format("the first column of the scene {} must be t", name));
-  curve(name, std::move(columns), frames);
+  add_curve(name, std::move(columns), frames, section().wanted.scenes);
   section().said.scenes.push_back({name, std::move(bodies)});
 }
 

@@ -67,7 +67,7 @@ Identity::Identity(const char* chapter, int number, const char* title, Source so
 
 Telling::Telling(void (*body)())
 {
-  section().telling.push_back(body);
+  section().telling.push_back({body});
 }
 
 void enter(Entry entry)

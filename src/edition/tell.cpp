@@ -3,6 +3,7 @@
 #include "edition/tell.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -66,6 +67,59 @@ void told(ToldValue value)
   section().said.values.push_back(std::move(value));
 }
 
+using Sizes = std::array<std::size_t, 6>;
+
+Sizes sizes(const Said& said)
+{
+  return {said.values.size(), said.tables.size(), said.curves.size(),
+          said.scenes.size(), said.races.size(),  said.illustrations.size()};
+}
+
+/// Adds to each list what `more` has beyond the first few.
+void add(Said& said, const Said& more, const Sizes& few)
+{
+  std::size_t i = 0;
+  const auto list = [&](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(few[i++]), from.end());
+  };
+  list(said.values, more.values);
+  list(said.tables, more.tables);
+  list(said.curves, more.curves);
+  list(said.scenes, more.scenes);
+  list(said.races, more.races);
+  list(said.illustrations, more.illustrations);
+}
+
+bool would_tell_again(const Block& block, const Section& s)
+{
+  if(!block.with || s.wanted.timing)
+    return false;
+  const std::size_t scenes = block.told.scenes.size(), figures = block.told.curves.size() - scenes;
+  const bool drawn = (block.with->figures || !s.wanted.figures || figures == 0)
+                     && (block.with->scenes || !s.wanted.scenes || scenes == 0);
+  return drawn && std::all_of(block.read.begin(), block.read.end(), [&](const Block::Read& was) {
+           const ParameterEntry& p = s.parameters[was.index];
+           return p.exact == was.exact && std::signbit(p.value) == std::signbit(was.value);
+         });
+}
+
+void tell(Block& block, Section& s)
+{
+  block.with.reset();
+  block.read.clear();
+  for(ParameterEntry& p : s.parameters)
+    p.read = false;
+  const Sizes before = sizes(s.said);
+  block.body();
+  for(std::size_t i = 0; i < s.parameters.size(); ++i)
+    if(const ParameterEntry& p = s.parameters[i]; p.read)
+      block.read.push_back({i, p.exact, p.value});
+  block.told = {};
+  add(block.told, s.said, before);
+  if(!s.wanted.timing)
+    block.with = s.wanted;
+}
+
 }  // namespace
 
 void tell(const char* name, double value, Unit unit, const char* meaning, int digits)
@@ -122,7 +176,7 @@ Table& table(const char* name, const char* caption, std::vector<Column> columns)
   for(const Column& c : columns)
     names.push_back(c.name);
   must_be_columns(name, names);
-  section().said.tables.push_back(std::make_unique<Table>(name, caption, std::move(columns)));
+  section().said.tables.push_back(std::make_shared<Table>(name, caption, std::move(columns)));
   return *section().said.tables.back();
 }
 
@@ -150,11 +204,17 @@ void Curve::block()
 
 void curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw)
 {
+  add_curve(name, std::move(columns), draw, section().wanted.figures);
+}
+
+void add_curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw,
+               bool wanted)
+{
   must_be_a_name("curve", name);
   must_be_new(name);
   must_be_columns(name, columns);
   Curve under_way(columns);
-  if(section().wanted.data)
+  if(wanted)
     draw(under_way);
   section().said.curves.push_back({name, std::move(columns), under_way.text(), under_way.points()});
 }
@@ -204,10 +264,13 @@ void tell_anew(Section& s, Wanted wanted)
 {
   choose(s);
   s.said = Said{};
-  s.said.has_data = wanted.data;
+  s.said.has_data = wanted.figures && wanted.scenes;
   s.wanted = wanted;
-  for(const auto tell_block : s.telling)
-    tell_block();
+  for(Block& block : s.telling)
+    if(would_tell_again(block, s))
+      add(s.said, block.told, {});
+    else
+      tell(block, s);
 }
 
 std::string with_unit(std::string number, const Unit& unit)

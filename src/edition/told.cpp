@@ -177,7 +177,7 @@ std::vector<ToldRow> Told::points(const char* curve, std::size_t n) const
   {
     Section& s = section();
     Said kept = std::exchange(s.said, Said{});
-    tell_anew(s, {true, false});
+    tell_anew(s, {true, true, false});
     *said_ = std::exchange(s.said, std::move(kept));
   }
   const ToldCurve& c = named(said_->curves, curve, "curve");
@@ -303,7 +303,7 @@ std::vector<std::string> uncovered(Section& s)
   if(!l.said.contains("") || !l.said[""].has_data)
   {
     s.parameters = l.own;
-    tell_anew(s, {true, false});
+    tell_anew(s, {true, true, false});
     l.said[""] = std::move(s.said);
     s.said = Said{};
   }

@@ -1,5 +1,5 @@
 // All sections in one program, for the tests: each line of standard input is a JSON list ["tell" or
-// "check", program, given], each line of standard output its answer.
+// "frames", program, given], each line of standard output its answer.
 
 #include <iostream>
 
@@ -12,7 +12,9 @@ int main()
   for(std::string line; std::getline(std::cin, line);)
   {
     const auto asked = nlohmann::json::parse(line);
-    const auto answer = asked[0] == "tell" ? &live::tell : &live::check;
-    std::cout << nlohmann::json::parse(answer(asked[1], asked[2].dump())).dump() << std::endl;
+    const std::string name = asked[1], given = asked[2].dump();
+    const std::string answer =
+        asked[0] == "tell" ? live::tell(name, given, true) : live::frames(name, given);
+    std::cout << nlohmann::json::parse(answer).dump() << std::endl;
   }
 }

@@ -44,17 +44,31 @@ std::string asked(const std::string& name, const std::string& given, Answer answ
   }
 }
 
+/// The section's data files, as a JSON object.
+std::string data_of(const Section& s)
+{
+  auto data = ordered_json::object();
+  for(const auto& [file, content] : edition::data_files(s))
+    data[file] = content;
+  return data.dump();
+}
+
 }  // namespace
 
-std::string tell(const std::string& name, const std::string& given)
+std::string tell(const std::string& name, const std::string& given, bool figures)
+{
+  return asked(name, given, [figures](Section& s) {
+    edition::tell_anew(s, {figures, false, false});
+    return "{\"told\": " + edition::as_json(s) + ", \"text\": " + ordered_json(edition::as_text(s)).dump()
+           + ", \"data\": " + data_of(s) + '}';
+  });
+}
+
+std::string frames(const std::string& name, const std::string& given)
 {
   return asked(name, given, [](Section& s) {
-    edition::tell_anew(s, {true, false});
-    auto data = ordered_json::object();
-    for(const auto& [file, content] : edition::data_files(s))
-      data[file] = content;
-    return "{\"told\": " + edition::as_json(s) + ", \"text\": " + ordered_json(edition::as_text(s)).dump()
-           + ", \"data\": " + data.dump() + '}';
+    edition::tell_anew(s, {false, true, false});
+    return "{\"data\": " + data_of(s) + '}';
   });
 }
 

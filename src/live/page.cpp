@@ -16,9 +16,13 @@ const char* kept(std::string answer)
 
 extern "C"
 {
-  const char* live_tell(const char* name, const char* given)
+  const char* live_tell(const char* name, const char* given, int figures)
   {
-    return kept(live::tell(name, given));
+    return kept(live::tell(name, given, figures != 0));
+  }
+  const char* live_frames(const char* name, const char* given)
+  {
+    return kept(live::frames(name, given));
   }
   const char* live_check(const char* name, const char* given)
   {
