@@ -1,6 +1,6 @@
 // The pages that run themselves, in a browser, from their folder and without a network. Usage: node live.mjs HTML BIN (the book's
 // pages, and the programs). Without a browser it says so and ends with status 77, which ctest takes as skipped; where CI is set
-// that is a failure.
+// that is a failure. With EVERY set it tries every page, not every fourth, and tells how long they take.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -371,9 +371,8 @@ const violations = await page.evaluate(
 for (const v of violations.filter((x) => ['serious', 'critical'].includes(x.impact)))
   faults.push(`${v.id}: ${v.help}, as at ${v.nodes[0].html.slice(0, 140)}`);
 
-// --- How long: first touch to ready, and a change to all new, on every page; while it runs the page answers. Judged where
-// nothing else runs.
-const quiet = os.loadavg()[0] < 1;
+// --- How long: first touch to ready, and a change to all new, on every page; and whether the page answers while it runs. Told,
+// not judged.
 const touched = () =>
   page.evaluate(
     () =>
@@ -412,7 +411,7 @@ const changed = ([name, text]) =>
     [name, text],
   );
 const [firsts, changes] = [[], []];
-for (const program of programs) {
+for (const program of process.env.EVERY ? programs : []) {
   const parameters = parametersOf(program);
   const given = settings(parameters);
   if (!given.length) continue;
@@ -426,15 +425,12 @@ for (const program of programs) {
 const sorted = (list, by) => [...list].sort((a, b) => a[by] - b[by]);
 const middle = (list, by) => sorted(list, by)[list.length >> 1][by];
 const worst = (list, by) => sorted(list, by).at(-1);
-const slow = worst(changes, 'took');
-const stiff = worst(changes, 'held');
-const slowly = `first touch to ready ${middle(firsts, 'took').toFixed(0)} ms (worst ${worst(firsts, 'took').took.toFixed(0)}, ${worst(firsts, 'took').program}); \
+function slowly() {
+  const slow = worst(changes, 'took');
+  const stiff = worst(changes, 'held');
+  return `first touch to ready ${middle(firsts, 'took').toFixed(0)} ms (worst ${worst(firsts, 'took').took.toFixed(0)}, ${worst(firsts, 'took').program}); \
 a change ${middle(changes, 'took').toFixed(0)} ms (worst ${slow.took.toFixed(0)}, ${slow.program} with ${JSON.stringify(slow.one)}); \
-the page held for ${stiff.held.toFixed(0)} ms at most (${stiff.program})`;
-if (quiet) {
-  expect(middle(firsts, 'took') <= 500, `first touch to ready takes ${middle(firsts, 'took').toFixed(0)} ms`);
-  expect(middle(changes, 'took') <= 60, `a change takes ${middle(changes, 'took').toFixed(0)} ms`);
-  expect(slow.took <= 1500, `${slow.program} with ${JSON.stringify(slow.one)} takes ${slow.took.toFixed(0)} ms`);
+the page held for ${stiff.held.toFixed(0)} ms at most (${stiff.program}); `;
 }
 
 // --- How much: the modules as the folder has them, compressed.
@@ -448,10 +444,10 @@ expect(sizes['gnuplot.js'] <= 0.75, `live/gnuplot.js has ${sizes['gnuplot.js'].t
 await browser.close();
 
 console.log(
-  `${tried} pages with Euler's numbers, ${withScenes.length} scenes; ${slowly}; after a hundred changes ${memory.toFixed(0)} MB; \
+  `${tried} pages with Euler's numbers, ${withScenes.length} scenes; ${changes.length ? slowly() : ''}after a hundred changes ${memory.toFixed(0)} MB; \
 a frame of a scene ${(slowest * 1000).toFixed(1)} ms; ${Object.entries(sizes)
     .map(([file, size]) => `${file} ${size.toFixed(2)} MB`)
-    .join(', ')}${quiet ? '' : '; the machine was busy: times are not judged'}; ${faults.length} faults`,
+    .join(', ')}; ${faults.length} faults`,
 );
 if (faults.length) {
   console.error(faults.join('\n'));
