@@ -51,7 +51,21 @@ Fifty to_infinity(const std::function<Fifty(const Fifty&)>& f)
 struct Worst
 {
   double C = 0, F = 0, D = 0, J = 0, together = 0;
+
+  void look_at(double x, double y, double z, double p);
 };
+
+void Worst::look_at(double x, double y, double z, double p)
+{
+  const Fifty X = x, Y = y, Z = z, P = p;
+  const Fifty F = R_F(X, Y, Z), J = R_J(X, Y, Z, P);
+  C = std::max(C, exact::ulps(R_C(x, y), R_C(X, Y)));
+  this->F = std::max(this->F, exact::ulps(R_F(x, y, z), F));
+  D = std::max(D, exact::ulps(R_D(x, y, z), R_D(X, Y, Z)));
+  this->J = std::max(this->J, exact::ulps(R_J(x, y, z, p), J));
+  const auto both = R_F_and_J(x, y, z, p);
+  together = std::max({together, exact::ulps(both.F, F), exact::ulps(both.J, J)});
+}
 
 Worst worst_over(double decades, int samples)
 {
@@ -60,14 +74,7 @@ Worst worst_over(double decades, int samples)
   for(int i = 0; i < samples; ++i)
   {
     const double x = spread(), y = spread(), z = spread(), p = spread();
-    const Fifty X = x, Y = y, Z = z, P = p;
-    const Fifty F = R_F(X, Y, Z), J = R_J(X, Y, Z, P);
-    worst.C = std::max(worst.C, exact::ulps(R_C(x, y), R_C(X, Y)));
-    worst.F = std::max(worst.F, exact::ulps(R_F(x, y, z), F));
-    worst.D = std::max(worst.D, exact::ulps(R_D(x, y, z), R_D(X, Y, Z)));
-    worst.J = std::max(worst.J, exact::ulps(R_J(x, y, z, p), J));
-    const auto both = R_F_and_J(x, y, z, p);
-    worst.together = std::max({worst.together, exact::ulps(both.F, F), exact::ulps(both.J, J)});
+    worst.look_at(x, y, z, p);
   }
   return worst;
 }
@@ -112,29 +119,52 @@ TEST_CASE("where the arcs of the steps add up to many turns none is lost")
       const Fifty X = x, y = 1e-5, P = p;
       const Fifty closed = 3 * (R_C(X, y) - R_C(X, P)) / (P - y);
       CHECK(R_J(X, y, y, P) == within_relative(closed, 1e-42, "the difference keeps as many digits"));
-      CHECK(R_J(x, 1e-5, 1e-5, p) == within_ulps(R_J(X, Fifty(1e-5), Fifty(1e-5), P), 8, "the bound"));
+      CHECK(R_J(x, 1e-5, 1e-5, p) == within_ulps(R_J(X, Fifty(1e-5), Fifty(1e-5), P), 3, "the bound"));
+      CHECK(R_F_and_J(x, 1e-5, 1e-5, p).J
+            == within_ulps(R_J(X, Fifty(1e-5), Fifty(1e-5), P), 8, "the bound"));
     }
 }
 
 TEST_CASE("Carlson's integrals in double keep what they promise")
 {
-  const Worst worst = worst_over(6, 2000);
+  const Worst worst = worst_over(6, 5000);
   CHECK(worst.C <= 4);
-  CHECK(worst.F <= 4);
-  CHECK(worst.D <= 5);
-  CHECK(worst.J <= 6);
-  CHECK(worst.together <= 6);
+  CHECK(worst.F <= 3);
+  CHECK(worst.D <= 3);
+  CHECK(worst.J <= 3);
+  CHECK(worst.together <= 8);
+}
+
+TEST_CASE("they keep it where some arguments nearly agree, agree, or are 0")
+{
+  Spread spread(6), apart(4);
+  Worst worst;
+  for(int i = 0; i < 3000; ++i)
+  {
+    const double x = spread();
+    const auto near = [&] { return x * (1 + 1e-6 * apart()); };  // by a part in 10¹⁰ to 10²
+    double y = near(), z = near(), p = i % 3 == 0 ? spread() : near();
+    if(i % 5 == 0)
+      y = x;
+    if(i % 7 == 0)
+      p = z;
+    worst.look_at(i % 11 == 0 ? 0 : x, y, z, p);
+  }
+  CHECK(worst.F <= 3);
+  CHECK(worst.D <= 3);
+  CHECK(worst.J <= 3);
+  CHECK(worst.together <= 8);
 }
 
 TEST_CASE("Carlson's integrals in double are right for any mixture of doubles")
 {
-  for(const double decades : {30.0, 150.0, 323.0})
+  for(const double decades : {30.0, 90.0, 150.0, 323.0})
   {
-    const Worst worst = worst_over(decades, 300);
+    const Worst worst = worst_over(decades, 500);
     CHECK(worst.C <= 4);
-    CHECK(worst.F <= 4);
-    CHECK(worst.D <= 8);
-    CHECK(worst.J <= 8);
+    CHECK(worst.F <= 3);
+    CHECK(worst.D <= (decades < 100 ? 3 : 4));
+    CHECK(worst.J <= 3);
     CHECK(worst.together <= 8);
   }
 }
@@ -146,11 +176,11 @@ TEST_CASE("the ends of the doubles are no ends of Carlson's integrals")
       for(const double z : {smallest, 1e-310, 1.0, largest})
       {
         const Fifty X = x, Y = y, Z = z;
-        CHECK(R_F(x, y, z) == within_ulps(R_F(X, Y, Z), 4, "the bound"));
-        CHECK(R_F(0.0, y, z) == within_ulps(R_F(Fifty(0), Y, Z), 4, "the bound"));
+        CHECK(R_F(x, y, z) == within_ulps(R_F(X, Y, Z), 3, "the bound"));
+        CHECK(R_F(0.0, y, z) == within_ulps(R_F(Fifty(0), Y, Z), 3, "the bound"));
         CHECK(R_C(x, y) == within_ulps(R_C(X, Y), 4, "the bound"));
-        CHECK(exact::ulps(R_D(x, y, z), R_D(X, Y, Z)) <= 8);
-        CHECK(exact::ulps(R_J(x, y, z, y), R_J(X, Y, Z, Y)) <= 8);
+        CHECK(exact::ulps(R_D(x, y, z), R_D(X, Y, Z)) <= 4);
+        CHECK(exact::ulps(R_J(x, y, z, y), R_J(X, Y, Z, Y)) <= 4);
       }
   CHECK(R_F(1e308, 1e308, 1e308) == within_ulps(1e-154, 1, "one over a root"));
   CHECK(R_F(5e-324, 5e-324, 1e-323)

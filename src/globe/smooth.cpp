@@ -15,8 +15,6 @@ namespace
 
 using exact::Fifty;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 template <class Real>
 constexpr bool is_double = std::is_same_v<Real, double>;
 
@@ -57,16 +55,16 @@ Real rest(const Real& c, const Real& k, const Energy<Real>& e, const Real& sn, c
       sn, cn, own, at_top);
 }
 
-// √(kk + cc sin²Φ)/k less one, its mean over the quarter; NaN where the mesh would have to be too fine.
-double mean_excess(double c, double k, const Energy<double>& e)
+// The mean over the quarter of what is made of cc sin²Φ/kk; NaN where the mesh would have to be too fine.
+template <class Function>
+double mean_of(const Function& made, double c, double k, const Energy<double>& e)
 {
   const double q = 4 * (c / k) * (c / k);
   if(e.turns_over())
     return mean_over_quarter(-e.from_top / e.h,
-                             [q](double s2, double c2, double) { return root_excess(q * s2 * c2); });
+                             [&](double s2, double c2, double) { return made(q * s2 * c2); });
   const double p = q * e.h;
-  return mean_over_quarter(e.from_top,
-                           [p](double s2, double, double d2) { return root_excess(p * s2 * d2); });
+  return mean_over_quarter(e.from_top, [&](double s2, double, double d2) { return made(p * s2 * d2); });
 }
 
 }  // namespace
@@ -80,9 +78,12 @@ Real quarter(const Real& c, const Real& k, const Energy<Real>& e)
   if(e.from_top == 0)
     return std::numeric_limits<double>::infinity();
   if constexpr(is_double<Real>)
-    if(const double mean = c <= 3 * k && std::abs(e.from_top) > 1e-15 ? mean_excess(c, k, e) : none;
-       mean >= 0)
-      return k * pendulum_quarter(e) * (1 + mean);
+    if(c <= 3 * k && std::abs(e.from_top) > 1e-15)
+    {
+      const double mean = mean_of([](double x) { return std::sqrt(1 + x); }, c, k, e);
+      if(mean >= 1)
+        return k * pendulum_quarter(e) * mean;
+    }
   return k * pendulum_quarter(e) + rest(c, k, e, Real(1), Real(0));
 }
 
@@ -92,7 +93,7 @@ double excess(double c, double k, const Energy<double>& e)
   require(e);
   if(!(e.from_top > 0 && c <= 100 * k))
     throw std::domain_error("the excess is of a ball that rocks, with c ≤ 100 k");
-  const double of_pendulum = pendulum_excess(e), mean = mean_excess(c, k, e);
+  const double of_pendulum = pendulum_excess(e), mean = mean_of(root_excess, c, k, e);
   const double of_ball = mean >= 0 ? mean : rest(c, k, e, 1., 0.) / (k * pendulum_quarter(e));
   return of_pendulum + of_ball + of_pendulum * of_ball;
 }
