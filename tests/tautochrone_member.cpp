@@ -82,6 +82,25 @@ TEST_CASE(
           == within_relative(highest(Fifty(k), Fifty(0.2)), 1e-14, "its bound"));
 }
 
+TEST_CASE("near 90°, where the curve of a small body ends, r has the digits of the cosine")
+{
+  for(const auto& [k, phi] : {std::pair{1e-9, 1.57075},
+                              {1e-9, 1.57071},
+                              {1e-9, 1.5705},
+                              {1e-6, 1.56},
+                              {1e-4, 1.5},
+                              {1e-3, 1.4},
+                              {2e-3, 1.45},
+                              {0.02, 1.3}})
+  {
+    const Position got = at(Member::highest, k, phi);
+    const Fifty r = highest(Fifty(k), Fifty(phi));
+    CHECK(got.r == within_relative(r, 2e-15, "some roundings"));
+    CHECK(got.x == within_relative(height(k, phi, r), 2e-15, "the same"));
+    CHECK(got.s == within_relative(1 - r, 2e-15, "the same"));
+  }
+}
+
 TEST_CASE("the widest curve, which leaves Euler's half-way up")
 {
   for(const double k : {0.1, 0.3, 0.9})

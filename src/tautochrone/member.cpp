@@ -1,10 +1,12 @@
 #include "tautochrone/member.hpp"
 
+#include "elementary/circular.hpp"
 #include "tautochrone/euler.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -18,22 +20,9 @@ namespace
 
 using std::size_t;
 
-constexpr size_t order = 24;
-using Taylor = std::array<double, order + 1>;
-
-// Even and odd powers apart, which can be summed at the same time.
-double value(const Taylor& c, double tau)
-{
-  static_assert(order % 2 == 0);
-  const double square = tau * tau;
-  double even = c[order], odd = c[order - 1];
-  for(size_t n = order - 2; n >= 2; n -= 2)
-  {
-    even = even * square + c[n];
-    odd = odd * square + c[n - 1];
-  }
-  return even * square + c[0] + odd * tau;
-}
+constexpr size_t order = 24, few = 16;
+/// Two numbers that go through the same sums, on every processor in the same order.
+typedef double Two __attribute__((vector_size(16)));
 
 void require_body(double k, double least)
 {
@@ -42,10 +31,46 @@ void require_body(double k, double least)
                             + std::to_string(least) + "; this is " + std::to_string(k));
 }
 
-// 2 sin ½φ, of subnormal angles too
-double chord_of(double phi)
+// The length of a step need not be known to many digits, but everywhere as the same.
+
+// The exponent of a positive normal number.
+int exponent_of(double x)
 {
-  return phi < 1e-9 ? phi : 2 * std::sin(phi / 2);
+  return static_cast<int>(elementary::bits_of(x) >> 52) - 1023;
+}
+
+// log₂ x to 1e-5 of itself, for positive normal x.
+double binary_logarithm(double x)
+{
+  const int exponent = exponent_of(x * std::numbers::sqrt2);
+  const double part = x * elementary::from_bits<double>(static_cast<std::uint64_t>(1023 - exponent) << 52),
+               s = (part - 1) / (part + 1), ss = s * s;
+  return exponent + 2 * std::numbers::log2e * s * (1 + ss * (1. / 3 + ss / 5));
+}
+
+// 2 to the power x, to 1e-4 of itself.
+double power_of_two(double x)
+{
+  const int whole = static_cast<int>(std::clamp(x, -1000.0, 1000.0));
+  const double g = (x - whole) * std::numbers::ln2;
+  return elementary::from_bits<double>(static_cast<std::uint64_t>(1023 + whole) << 52)
+         * (1 + g * (1 + g / 2 * (1 + g / 3 * (1 + g / 4 * (1 + g / 5)))));
+}
+
+// An angle that is looked for.
+struct Aim
+{
+  double phi, chord, H, cosine;  ///< the chord is 2 sin ½φ, H is 1 − cos φ
+
+  double sine() const { return chord * std::sqrt(1 - H / 2); }
+};
+
+Aim aim_at(double phi)
+{
+  // Below ¼π nothing is taken from the angle: then the swift sine errs by an ulp of itself.
+  const double chord = phi < 1e-9 ? phi : 2 * elementary::circular::swift_sincos(phi / 2).sine;
+  const double H = chord * chord / 2;
+  return {phi, chord, H, H < 0.4 ? 1 - H : elementary::cos(phi)};
 }
 
 // A place from which the flow begins: the sine and cosine of its angle, r, and s = 1 − r.
@@ -72,244 +97,365 @@ Start last_place(Member member, double k)
 }
 
 /*
- The flow downwards. Carried are H/qq, Y/q and E/q, where E = Z − kY = Z (1 − r) and q is a power of two
- that keeps them near one, however near the lowest point is:
+ The flow downwards, cc + YY + ZZ = 1 and ε dc + Z dY = 0 with ε = k/(1 + kk), by the number Y: it is not the time of
+ the flow, but then one equation is left, and a series has but two sums of squares in each of its terms. About a place
+ with the number Y₀ let
 
-   dH = ZZ,  dY = εZ,  dE = E/(1 + kk) − HZ,  ε = k/(1 + kk).
+   Y = Y₀ (1 + t),  Z = Y₀ z,  z = k (1 + t) + u,  H = 1 − c = H₀ + Y₀Y₀ w/ε,  dw = z dt.
+
+ u, which is nothing where r = 1, is kept instead of z, that 1 − r = u/z may lose nothing near the lowest point. The
+ unit of Y is a power of two that keeps it near one.
 */
 class Flow
 {
 public:
   Flow(double k, const Start& from)
       : k_(k), kk_(k * k), eps_(k / (1 + k * k)), slow_(1 / (1 + k * k)),
-        q_(from.sine > 0x1p-20 ? 1 : std::exp2(std::ilogb(from.sine) + 1))
+        unit_(from.sine > 0x1p-20 ? 1 : std::ldexp(1, std::max(std::ilogb(from.sine) + 1, -1000))),
+        Y_(from.sine / unit_ * from.r / std::sqrt(kk_ + from.r * from.r)), u_(k * from.s / from.r),
+        cosine_(from.cosine), lifted_(height())
   {
-    const double length = std::sqrt(kk_ + from.r * from.r), sine = from.sine / q_;
-    H_[0] = sine * sine / (1 + from.cosine);
-    Y_[0] = sine * from.r / length;
-    Z_[0] = sine * k / length;
-    E_[0] = Z_[0] * from.s;
   }
 
-  // The series of the next step, which may go down to τ = −length(). It is as good as is wanted at a lower place, where
-  // sin φ is `sine`; 0: good everywhere.
-  void expand(double sine = 0)
+  // The series of the next step, which may go down to t = −length(). It is as good as is wanted at a lower place, where
+  // sin φ is `sine`; 0: good everywhere. If no other angle than `only` is looked for, and it is near, the series is short.
+  void expand(double sine = 0, const Aim* only = nullptr)
   {
-    constexpr auto reciprocals = [] {
-      Taylor of{};
-      for(size_t n = 1; n <= order; ++n)
-        of[n] = 1 / static_cast<double>(n);
-      return of;
-    }();
-    found_ = {0, H_[0], Y_[0], E_[0]};
-    // [flow]
-    const double gain = q_ * q_, cosine = 1 - gain * H_[0];
-    for(size_t n = 0; n < order; ++n)
+    const double z0 = k_ + u_, per_z = 1 / z0, Q = unit_ * Y_ / eps_, QQ = Q * Q;
+    const double c = cosine_ / eps_, H0 = gain() * lifted_;
+    const bool wide = cosine_ < 0.5;  // then it is the cosine that must keep its digits, else H
+    const double u1 = wide ? c - per_z - k_ : u_ / k_ * per_z - H0 / eps_, z1 = k_ + u1;
+    const double u2 =
+        ((wide ? z1 * per_z - 1 : u1 * (c - 2 * k_ - u1) - H0 * (1 + kk_)) - QQ * z0 * z0) * (per_z / 2);
+    terms_[0] = Two{0, u_};
+    terms_[1] = Two{z0, u1};
+    terms_[2] = Two{z1 / 2, u2};
+    const Factors factors{c * per_z,  z1 * per_z,          QQ,
+                          u2 * per_z, QQ * per_z * z1 / 2, Two{QQ * per_z, per_z}};
+    terms<3, few>(factors, u2, u1, 0);
+    per_Y_ = 1 / Y_;
+    found_ = {0, 0, u_};
+    // Not longer than the series is good for, than it is stable for, and than Y keeps two fifths of itself.
+    const double r = k_ * per_z;
+    rate_ = kk_ * slow_ / r;
+    // Neighbouring curves approach each other downwards, in the time of the flow at a rate that grows: 4r/(1 + kk) − (1 +
+    // 2rr/(kk + rr)) cos φ; less 2kk/((1 + kk) r), as 1 − r falls with φφ.
+    const double rate = 4 * r * slow_ - (1 + 2 * r * r / (kk_ + r * r)) * cosine_,
+                 relative = rate - 2 * rate_;
+    length_ = std::min(0.6, 7 * rate_ / std::max(rate, 0.001));
+    double bits = 55;
+    if(sine > 0 && relative > 0)
     {
-      // From the middle outwards: what is known last is added last, and nothing waits for it.
-      double ZZ = 0, HZ = 0;  // the latter without H₀Zₙ
-      for(size_t i = (n + 1) / 2; i-- > 1;)
-      {
-        const size_t j = n - i;
-        ZZ += Z_[i] * Z_[j];
-        HZ += H_[i] * Z_[j] + H_[j] * Z_[i];
-      }
-      if(n > 0)
-      {
-        ZZ += Z_[0] * Z_[n];
-        HZ += H_[n] * Z_[0];
-      }
-      ZZ *= 2;
-      if(n % 2 == 0)
-      {
-        ZZ += Z_[n / 2] * Z_[n / 2];
-        if(n > 0)
-          HZ += H_[n / 2] * Z_[n / 2];
-      }
-      const double next = reciprocals[n + 1];
-      H_[n + 1] = ZZ * next;
-      Y_[n + 1] = eps_ * Z_[n] * next;
-      E_[n + 1] = (E_[n] * slow_ - gain * (HZ + H_[0] * Z_[n])) * next;
-      Z_[n + 1] = (Z_[n] * cosine - (eps_ * Y_[n] + gain * HZ)) * next;
+      const double down = std::min(unit_ * Y_ / sine, 0x1p500);
+      // What a step errs by is made where it ends. And what the cosine errs by, where it is not made anew of Y and Z, does
+      // not die: the integral of the last terms.
+      const double dies =
+          relative / rate_ * (0.5 * binary_logarithm(down * down / slow_) - std::numbers::log2e * length_);
+      const double stays = wide ? -binary_logarithm(gain() * u_ * length_ / (order * eps_ * cosine_)) : 42;
+      bits -= std::clamp(dies, 0.0, std::clamp(stays, 0.0, 42.0));
     }
-    // [flow]
-    // Not longer than the series is good for, than it is stable for, and than Y keeps a half of itself.
-    length_ = std::min(7.0, 0.7 * (1 + kk_) / kk_);
-    // Neighbouring curves approach each other downwards, in τ at a rate that grows: 4r/(1 + kk) − (1 + 2rr/(kk + rr))
-    // cos φ; less 2kk/((1 + kk) r), as 1 − r falls with φφ. And Y falls at the rate kk/((1 + kk) r), which is less
-    // further down.
-    double bits = 56;
-    if(sine > 0)
+    if(only != nullptr)
     {
-      const double r = k_ * Y_[0] / Z_[0], YY = Y_[0] * Y_[0], ratio = q_ / sine;
-      const double rate = (4 * r - 2 * kk_ / r) * slow_ - (1 + 2 * YY / (YY + Z_[0] * Z_[0])) * cosine;
-      if(rate > 0)
-        bits -=
-            std::clamp(0.72 * rate * r / (kk_ * slow_) * std::log(YY * ratio * ratio / slow_), 0.0, 43.0);
+      const double least = -goal(*only) * per_z;  // z falls on the way down
+      order_ = few;
+      if(8 * least < length_ && 2 * least < good_for(bits))
+      {
+        length_ = 2 * least;
+        return;
+      }
     }
-    double last = 0;
-    for(const size_t n : {order - 1, order})
-      last = std::max({last, std::abs(Z_[n] / Z_[0]), std::abs(H_[n] / H_[0])});
-    if(last > 0)
-      length_ = std::min(length_, std::exp2((-bits - std::logb(last)) / static_cast<double>(order)));
+    order_ = order;
+    terms<few + 1, order>(factors, terms_[few][1], terms_[few - 1][1], terms_[few - 2][1]);
+    length_ = std::min(length_, good_for(bits));
   }
 
   double length() const { return length_; }
-  double sine() const { return q_ * std::hypot(Y_[0], Z_[0]); }
-  double height(double tau) const { return value(H_, tau); }  // H/qq
-  double unit() const { return q_; }
-  double Y(double tau) const { return value(Y_, tau); }
-  double E(double tau) const { return value(E_, tau); }
+  double sine() const { return unit_ * Y_ * std::sqrt(1 + (k_ + u_) * (k_ + u_)); }
 
-  // Down to τ, with H from the other two again, and in a new unit where it has become small.
-  void go(double tau)
+  // Down to the end of the step, unless this angle is above it.
+  bool go_above(const Aim& aim)
   {
-    const double Y = value(Y_, tau), E = value(E_, tau), Z = E + k_ * Y, sine2 = Y * Y + Z * Z;
-    const double rest = 1 - q_ * q_ * sine2;
-    H_[0] = rest > 0.25 ? sine2 / (1 + std::sqrt(rest)) : value(H_, tau);
-    const double onto = rest > 0.25 ? 1 : std::sqrt(H_[0] * (2 - H_[0]) / sine2);
-    Y_[0] = Y * onto;
-    E_[0] = E * onto;
-    Z_[0] = Z * onto;
-    if(H_[0] < 0x1p-40)
-    {
-      H_[0] *= 0x1p40;
-      Y_[0] *= 0x1p20;
-      E_[0] *= 0x1p20;
-      Z_[0] *= 0x1p20;
-      q_ *= 0x1p-20;
-    }
+    const Two end = value(-length_);
+    if(end[0] <= goal(aim))
+      return false;
+    go(-length_, end);
+    return true;
   }
 
-  // Where in the present step 2 sin ½φ is `chord`, which must lie in it.
-  double time_of(double chord) const
+  // Down to the end of the step.
+  void go() { go(-length_, value(-length_)); }
+
+  // Where in the present step this angle is, which must lie in it.
+  Position place_of(const Aim& aim) const
   {
-    const double target = (chord / q_) * (chord / q_) / 2;
-    double lower = -length_, upper = 0, tau = 0;
+    const double wanted = goal(aim);
+    double lower = -length_, upper = 0, t = 0;
     for(int i = 0; i < 60; ++i)
     {
-      const double above = value(H_, tau) - target, Z = value(E_, tau) + k_ * value(Y_, tau);
-      (above > 0 ? upper : lower) = tau;
-      const double newton = tau - above / (Z * Z);
+      const Two here = value(t);
+      const double above = here[0] - wanted;
+      (above > 0 ? upper : lower) = t;
+      const double newton = t - above / z_of(t, here[1]);
       const double next = newton > lower && newton < upper ? newton : (lower + upper) / 2;
-      if(std::abs(next - tau) <= 1e-16 * length_)
+      if(std::abs(next - t) <= 1e-16 * length_)
         break;
-      tau = next;
+      t = next;
     }
-    return tau;
+    return position(aim.phi, t, value(t)[1]);
   }
 
-  bool reaches(double chord) const { return value(H_, -length_) <= (chord / q_) * (chord / q_) / 2; }
-
-  Position position(double phi, double tau) const
+  // The place with this angle, if the present step has it and Chebyshev's method in the chord finds it, from the place
+  // that was found before.
+  std::optional<Position> landed(const Aim& aim)
   {
-    return position_of(phi, value(Y_, tau), value(E_, tau));
-  }
-
-  // The place with the angle φ, if the present step has it and Chebyshev's method in ln H finds it, from the place that
-  // was found before.
-  std::optional<Position> landed(double phi, double chord)
-  {
-    const double target = (chord / q_) * (chord / q_) / 2;
-    auto [tau, H, Y, E] = found_;
-    for(int step = 0; step < 4; ++step)
+    const double wanted = goal(aim), chord = chord_of(aim), small = 1e-5 * rate_;
+    const double per_k = 1 / k_, per_eps = 1 / eps_, lift = gain() * per_eps * per_eps;
+    auto [t, w, u] = found_;
+    for(int step = 0; step < 5; ++step)
     {
-      const double Z = E + k_ * Y, dE = E * slow_ - q_ * q_ * H * Z, dZ = dE + k_ * eps_ * Z;
-      const double rest = (target - H) / (Z * Z), change = rest * (1 - dZ / Z * rest);
-      if(std::abs(change) < 1e-5)
+      const double z = z_of(t, u), per_z = 1 / z, raised = 2 * (eps_ * lifted_ + w);  // ε chord²
+      const double du = u * per_k * per_z - lift * raised / 2, dz = k_ + du, newton = (wanted - w) * per_z;
+      if(std::abs(newton) < small)
       {
-        found_ = {tau, H, Y, E};
-        return position_of(phi, Y + eps_ * change * (Z + dZ * change / 2),
-                           E + change * (dE + (dE * slow_ - q_ * q_ * (Z * Z * Z + H * dZ)) * change / 2));
+        found_ = {t, w, u};
+        const double ddu = (du - u * per_z * dz) * per_k * per_z - lift * z;
+        const double change = newton * (1 - dz * per_z * newton / 2);
+        return position(aim.phi, t + change, u + change * (du + ddu * change / 2));
       }
-      const double slope = Z * Z / H, bend = 2 * dZ / Z - slope, newton = std::log(target / H) / slope;
-      tau += newton * (1 - bend * newton / 2);
-      if(!(tau >= -length_ && tau <= 0))
+      if(t == 0 && std::abs(newton) < 0.1)
+        t = reverted(newton, per_z);
+      else
+      {
+        const double at = std::sqrt(raised * per_eps), by = (chord - at) * at * (eps_ * per_z);
+        t += by * (1 - (dz * per_z - z / raised) * by / 2);
+      }
+      if(!(t >= -length_ && t <= 0))
         break;
-      H = value(H_, tau);
-      Y = value(Y_, tau);
-      E = value(E_, tau);
+      const Two here = value(t);
+      w = here[0];
+      u = here[1];
     }
     return std::nullopt;
   }
 
-private:
-  Position position_of(double phi, double Y, double E) const
+  // The place with this angle, which must lie in the present step.
+  Position place(const Aim& aim)
   {
-    const double Z = E + k_ * Y;
-    return {phi, k_ * Y / Z, (1 + kk_) / 2 * (q_ * Y) * (q_ * Y),
-            std::max(E / Z, 0.0)};  // it is not negative, but for roundings of what is nearly nothing
+    const std::optional<Position> here = landed(aim);
+    return here ? *here : place_of(aim);
+  }
+
+  // The chords where the step begins and where it ends.
+  double upper_chord() const { return unit_ * (Y_ * std::sqrt(2 * lifted_)); }
+  double lower_chord() const { return unit_ * (Y_ * std::sqrt(2 * (lifted_ + value(-length_)[0] / eps_))); }
+
+private:
+  // What does not change from term to term.
+  struct Factors
+  {
+    double a, b, by_second, by_second_too, by_third;
+    Two weights;
+  };
+
+  // Σ of weighed_[j] terms_[n − j] over j from i down to 3.
+  template <size_t n, size_t i>
+  [[gnu::always_inline]] Two products(Two sum) const
+  {
+    if constexpr(i < 3)
+      return sum;
+    else
+      return products<n, i - 1>(sum + weighed_[i] * terms_[n - i]);
+  }
+
+  // The terms from the nth to the last. What is known last is multiplied last, and by itself; the sums over the others go from
+  // the middle outwards.
+  template <size_t n, size_t last>
+  [[gnu::always_inline]] void terms(const Factors& f, double before, double second, double third)
+  {
+    if constexpr(n <= last)
+    {
+      constexpr double part = 1. / n, part_before = 1. / (n - 1), part_second = 1. / (n - 2);
+      double rest = 0;
+      if constexpr(n == 3)
+        rest = f.by_second * terms_[2][0];
+      else if constexpr(n == 4)
+        rest = second * (f.by_second * part_before)
+               + 0.5 * (f.by_third * terms_[2][0] + f.by_second_too * second);
+      else
+      {
+        rest = third * (f.by_third * part_second);
+        if constexpr(n >= 6)
+        {
+          const Two sum = n % 2 == 0 ? products<n, n / 2 - 1>(0.5 * (weighed_[n / 2] * terms_[n / 2]))
+                                     : products<n, n / 2>(Two{});
+          rest += sum[0] + sum[1];
+        }
+        rest += second * (f.by_second * part_before + f.by_second_too);
+      }
+      const double next = before * (f.a * part - f.b) - rest;
+      terms_[n] = Two{before * part, next};
+      if constexpr(n <= order / 2)
+        weighed_[n] = terms_[n] * f.weights;
+      terms<n + 1, last>(f, next, before, second);
+    }
+  }
+
+  // How far the series errs by so many bits at most.
+  double good_for(double bits) const
+  {
+    const double last = std::max(std::abs(terms_[order_][1]), std::abs(terms_[order_ - 1][1])),
+                 first = std::max(std::abs(terms_[0][1]), length_ * std::abs(terms_[1][1]));
+    return last > 0x1p-900 * first ? power_of_two((exponent_of(first) - exponent_of(last) - 1 - bits)
+                                                  / static_cast<double>(order_))
+                                   : 1;
+  }
+
+  // t by w/z₀, to the fifth power.
+  double reverted(double x, double per_z) const
+  {
+    const double a = terms_[2][0] * per_z, b = terms_[3][0] * per_z, c = terms_[4][0] * per_z,
+                 d = terms_[5][0] * per_z, aa = a * a;
+    return x
+           * (1
+              - x
+                    * (a
+                       + x
+                             * ((b - 2 * aa)
+                                + x
+                                      * ((c + 5 * a * (aa - b))
+                                         + x * (d - 6 * a * c - 3 * b * b + 7 * aa * (3 * b - 2 * aa))))));
+  }
+
+  // w and u at t: four sums, which can be made at the same time.
+  template <size_t last>
+  Two sum(double t) const
+  {
+    static_assert(last % 4 == 0);
+    const double tt = t * t, fourth = tt * tt;
+    Two a = terms_[last], b{}, c{}, d{};
+    for(size_t n = last; n > 0;)
+    {
+      n -= 4;
+      a = a * fourth + terms_[n];
+      b = b * fourth + terms_[n + 1];
+      c = c * fourth + terms_[n + 2];
+      d = d * fourth + terms_[n + 3];
+    }
+    return (a + tt * c) + t * (b + tt * d);
+  }
+  Two value(double t) const { return order_ == few ? sum<few>(t) : sum<order>(t); }
+
+  double chord_of(const Aim& aim) const { return aim.chord * (1 / unit_) * per_Y_; }
+  double gain() const { return (unit_ * Y_) * (unit_ * Y_); }
+  double z_of(double t, double u) const { return k_ * (1 + t) + u; }
+  // H/YY at the beginning of the step.
+  double height() const { return (1 + (k_ + u_) * (k_ + u_)) / (1 + cosine_); }
+
+  // The w of an angle, from what can be subtracted.
+  double goal(const Aim& aim) const
+  {
+    if(cosine_ < 0.5)
+      return eps_ * (cosine_ - aim.cosine) / gain();
+    const double chord = chord_of(aim);
+    return eps_ * (chord * chord / 2 - lifted_);
+  }
+
+  void go(double t, const Two& there)
+  {
+    const double lower = cosine_ - gain() / eps_ * there[0];
+    Y_ *= 1 + t;
+    u_ = there[1] / (1 + t);
+    const double z = k_ + u_, sine2 = gain() * (1 + z * z);
+    cosine_ = lower < 0.5 ? lower : std::sqrt(1 - sine2);
+    lifted_ = height();
+    if(Y_ < 0x1p-20 && unit_ > 0x1p-1000)
+    {
+      Y_ *= 0x1p20;
+      unit_ *= 0x1p-20;
+    }
+  }
+
+  Position position(double phi, double t, double u) const
+  {
+    const double z = z_of(t, u), Y = unit_ * (Y_ * (1 + t));
+    return {phi, k_ * (1 + t) / z, (1 + kk_) / 2 * Y * Y,
+            std::max(u / z, 0.0)};  // it is not negative, but for roundings of what is nearly nothing
   }
 
   struct Found
   {
-    double tau, H, Y, E;
+    double t, w, u;
   };
 
-  double k_, kk_, eps_, slow_, q_;
-  double length_ = 0;
+  double k_, kk_, eps_, slow_, unit_, Y_, u_, cosine_, lifted_;
+  double rate_ = 0;  // Y falls so in the time of the flow
+  double length_ = 0, per_Y_ = 1;
+  size_t order_ = order;
   Found found_{};
-  Taylor H_{}, Y_{}, E_{}, Z_{};
+  Two terms_[order + 1], weighed_[order / 2 + 1];
 };
 
-// From a place down to the angle φ, 2 sin ½φ being `chord`.
-Position followed(double k, const Start& from, double phi, double chord)
+// From a place down to the angle.
+Position followed(double k, const Start& from, const Aim& aim)
 {
-  const double sine = chord * std::sqrt(1 - chord * chord / 4);
   Flow flow(k, from);
   for(;;)
   {
-    flow.expand(sine);
-    if(const auto here = flow.landed(phi, chord))
+    flow.expand(aim.sine(), &aim);
+    if(const auto here = flow.landed(aim))
       return *here;
-    if(flow.reaches(chord))
-      return flow.position(phi, flow.time_of(chord));
-    flow.go(-flow.length());
+    if(!flow.go_above(aim))
+      return flow.place_of(aim);
   }
 }
 
-// A place so far above the angle with this sine that all tautochrones that are there agree below to e^-46, in r and
-// in 1 − r; none where there is no such place below the angle with the sine `most`. By A(φ) − A(φ₁) = 46 kk/(1 − 3kk),
-// with A = −½ − ln sin φ + ½ sin²φ, see falling(): near the lowest point their difference is as φ^(1/kk − 1), while
-// 1 − r is as φφ; for kk > ⅓ it is as their difference.
-std::optional<Start> far_above(double k, double sine, double most)
+// A place so far above the angle that all tautochrones that are there agree below to e^-46, in r and in 1 − r; none
+// where there is no such place below the angle whose cosine has the square `least`. By A(φ) − A(φ₁) = 46 kk/(1 − 3kk), with A = −½ −
+// ln sin φ + ½ sin²φ, see falling(): near the lowest point their difference is as φ^(1/kk − 1), while 1 − r is as φφ;
+// for kk > ⅓ it is as their difference.
+std::optional<Start> far_above(double k, const Aim& aim, double least)
 {
   const double kk = k * k;
   if(kk > 0.33)
     return std::nullopt;
-  const double wanted = std::log(sine) - sine * sine / 2 + 46 * kk / (1 - 3 * kk);
-  if(wanted >= std::log(most) - most * most / 2)
+  const double wanted = 46 * kk / (1 - 3 * kk), sine2 = 2 * aim.H * (1 - aim.H / 2),
+               cosine2 = aim.cosine * aim.cosine;
+  if((cosine2 - least) * cosine2 < 2 * wanted * sine2)
     return std::nullopt;
-  double log_sine = wanted, above = 0;
+  // m = ln(sin φ₁ : sin φ) by Newton's method, which comes from below: m less half of what sin² grows by is `wanted`.
+  double m = wanted;
   for(int i = 0; i < 60; ++i)
   {
-    above = std::exp(log_sine);
-    const double cosine2 = (1 - above) * (1 + above),
-                 change = (log_sine - above * above / 2 - wanted) / cosine2;
-    log_sine -= change;
-    if(std::abs(change) < 1e-6 * cosine2)
-      break;
+    const bool little = m < 0.05;
+    const double sine = aim.sine() * (little ? 1 + m * (1 + m / 2) : power_of_two(m * std::numbers::log2e)),
+                 more = little ? sine2 * 2 * m * (1 + m * (1 + m * (2. / 3 + m / 3))) : sine * sine - sine2,
+                 rest = cosine2 - more, change = (wanted + more / 2 - m) / rest;
+    if(!(rest > least))
+      return std::nullopt;
+    if(change < 0.01 * wanted)
+      return rest < 0.5 ? turning(k, std::sqrt(1 - rest), std::sqrt(rest))
+                        : turning(k, sine, std::sqrt((1 - sine) * (1 + sine)));
+    m += change;
   }
-  above = std::exp(log_sine);
-  return turning(k, above, std::sqrt((1 - above) * (1 + above)));
+  return std::nullopt;
 }
 
-// Where the steps down to φ begin.
-Start begin_for(Member member, double k, double phi)
+// Where the steps down to the angle begin.
+Start begin_for(Member member, double k, const Aim& aim)
 {
   // The widest curve parts from the others high up, where it is not at the larger turning radius.
   const Start last = last_place(member, k);
-  const double most = member == Member::highest ? last.sine : k <= 0.1 ? std::sin(0.35) : 0;
-  return far_above(k, std::sin(phi), most).value_or(last);
+  constexpr double cosine2 = 0.8824210936422444;  // of 0.35
+  const double least = member == Member::highest ? last.cosine * last.cosine : k <= 0.1 ? cosine2 : 1;
+  return far_above(k, aim, least).value_or(last);
 }
 
-// What need not be followed; none where it must. @throws as at()
-std::optional<Position> known(Member member, double k, double phi, double chord)
+// The end, if this angle is not below it but is its angle. @throws as at()
+std::optional<Position> known_end(Member member, double k, const Aim& aim)
 {
-  require_body(k, 1e-9);
+  const double phi = aim.phi;
   const Start last = last_place(member, k);
-  const double H = chord * chord / 2;
-  if(!(phi >= 0 && phi < 2 && H < last.sine * last.sine / (1 + last.cosine) * (1 - 1e-14)))
+  if(!(phi >= 0 && phi < 2 && aim.H < last.sine * last.sine / (1 + last.cosine) * (1 - 1e-14)))
   {
     const Position there = end(member, k);
     if(!(phi >= 0 && phi <= there.phi))
@@ -317,11 +463,18 @@ std::optional<Position> known(Member member, double k, double phi, double chord)
     if(phi == there.phi)
       return there;
   }
+  return std::nullopt;
+}
+
+// What need not be followed of what is below the end; none where it must.
+std::optional<Position> known(Member member, double k, const Aim& aim)
+{
+  const double phi = aim.phi;
   if(phi == 0)
     return Position{};
   // Where kk is so small against cos⁴φ, what Euler's two corrections leave out is below 1e-16, and the curves differ
   // by less than e^−250000.
-  const double cosine2 = (1 - H) * (1 - H);
+  const double cosine2 = aim.cosine * aim.cosine;
   if(member == Member::highest && k * k <= 1e-6 * cosine2 * cosine2)
     return Position{phi, euler_r(1.0, k, phi), euler_x(1.0, k, phi), euler_s(1.0, k, phi)};
   return std::nullopt;
@@ -335,47 +488,54 @@ Position end(Member member, double k)
   if(member == Member::widest)
   {
     const double cosine = 2 * k / (1 + k * k), sine = (1 - k) * (1 + k) / (1 + k * k);
-    return {std::atan2(sine, cosine), k, (1 + k * k) / 4 * sine * sine, 1 - k};
+    return {elementary::atan2(sine, cosine), k, (1 + k * k) / 4 * sine * sine, 1 - k};
   }
   const double r = std::sqrt(k * (1 - k + k * k));
-  return {std::atan((1 - k) / std::sqrt(k)), r, (1 - k) * (1 - k) / 2, (1 - k) * (1 + k * k) / (1 + r)};
+  return {elementary::atan((1 - k) / std::sqrt(k)), r, (1 - k) * (1 - k) / 2,
+          (1 - k) * (1 + k * k) / (1 + r)};
 }
 
 Position at(Member member, double k, double phi)
 {
-  const double chord = chord_of(phi);
-  if(const auto here = known(member, k, phi, chord))
+  require_body(k, 1e-9);
+  const Aim aim = aim_at(phi);
+  if(const auto here = known_end(member, k, aim))
     return *here;
-  return followed(k, begin_for(member, k, phi), phi, chord);
+  if(const auto here = known(member, k, aim))
+    return *here;
+  return followed(k, begin_for(member, k, aim), aim);
 }
 
 std::vector<Position> along(Member member, double k, const std::vector<double>& angles)
 {
+  require_body(k, 1e-9);
   std::vector<Position> result(angles.size());
   std::optional<Flow> flow;
-  for(size_t i = angles.size(); i-- > 0;)
+  size_t i = angles.size();
+  if(i > 0)
+    if(const auto here = known_end(member, k, aim_at(angles.back())))
+      result[--i] = *here;
+  while(i-- > 0)
   {
-    const double phi = angles[i], chord = chord_of(phi);
-    if(i > 0 && !(angles[i - 1] < phi))
+    const Aim aim = aim_at(angles[i]);
+    if(!(aim.phi >= 0 && (i + 1 == angles.size() || aim.phi < angles[i + 1])))
       throw std::domain_error("the angles must grow");
-    std::optional<Position> here = known(member, k, phi, chord);
+    std::optional<Position> here = known(member, k, aim);
     while(!here)
     {
       if(flow)
-        here = flow->landed(phi, chord);
+        here = flow->landed(aim);
       if(here)
         break;
-      const Start from = begin_for(member, k, phi);
+      const Start from = begin_for(member, k, aim);
       if(!flow || from.sine < 0.99 * flow->sine())
         flow.emplace(k, from);
-      else if(flow->reaches(chord))
+      else if(!flow->go_above(aim))
       {
-        here = flow->position(phi, flow->time_of(chord));
+        here = flow->place(aim);
         break;
       }
-      else
-        flow->go(-flow->length());
-      flow->expand(std::sin(phi));
+      flow->expand(aim.sine());
     }
     result[i] = *here;
   }
@@ -386,15 +546,16 @@ Position at_through(double k, double phi1, double r1, double phi)
 {
   require_body(k, 1e-9);
   const double slack = 1e-15 * r1;
+  const auto [sine, cosine] = elementary::sincos(phi1);
   const bool inside = phi1 > 0 && phi1 < std::numbers::pi / 2 && r1 > 0
-                      && (1 + k * k) * r1 * std::cos(phi1) - k * k - r1 * r1 >= -slack;
+                      && (1 + k * k) * r1 * cosine - k * k - r1 * r1 >= -slack;
   if(!inside)
     throw std::domain_error("no cheek leads through this point: dr would be positive there");
   if(!(phi >= 0 && phi <= phi1))
     throw std::domain_error("the curve is followed downwards only, from " + std::to_string(phi1) + " rad");
   if(phi == 0)
     return {};
-  return followed(k, {std::sin(phi1), std::cos(phi1), r1, 1 - r1}, phi, chord_of(phi));
+  return followed(k, {sine, cosine, r1, 1 - r1}, aim_at(phi));
 }
 
 std::vector<Drawn> drawn(Member member, double k, const std::vector<double>& angles)
@@ -408,25 +569,25 @@ std::vector<Drawn> drawn(Member member, double k, const std::vector<double>& ang
       throw std::domain_error("the angles must grow from 0 to the end, " + std::to_string(last.phi)
                               + " rad");
   // Gauss's eight nodes and weights on (-1, 1), the positive half.
-  constexpr std::array<double, 4> node = {0.18343464249564980, 0.52553240991632899, 0.79666647741362674,
-                                          0.96028985649753623};
-  constexpr std::array<double, 4> weight = {0.36268378337836198, 0.31370664587788729, 0.22238103445337447,
-                                            0.10122853629037626};
+  constexpr std::array<double, 4> node = {0.96028985649753623, 0.79666647741362674, 0.52553240991632899,
+                                          0.18343464249564980};
+  constexpr std::array<double, 4> weight = {0.10122853629037626, 0.22238103445337447, 0.31370664587788729,
+                                            0.36268378337836198};
   struct Sums
   {
     double z = 0, y = 0, x = 0;
   };
   Flow flow(k, last_place(member, k));
-  const auto piece = [&](double from, double to, Sums& into) {  // downwards from `from`
+  const auto piece = [&](double from, double to, Sums& into) {  // by the chord, downwards
     const double middle = (from + to) / 2, half = (from - to) / 2;
     for(size_t i = 0; i < 8; ++i)
     {
-      const double tau = middle + half * (i < 4 ? node[i] : -node[i - 4]);
-      const double Y = flow.Y(tau), Z = flow.E(tau) + k * Y, q = flow.unit(), dx = q * q * k * Y * Z;
-      const double sine = std::hypot(Y, Z) * q, dz = dx / sine, w = half * weight[i % 4];
-      into.z += w * dz;
-      into.y += w * dz * (1 - q * q * flow.height(tau));
-      into.x += w * dx;
+      const double chord = middle + half * (i < 4 ? node[i] : -node[7 - i]), H = chord * chord / 2;
+      const double r = flow.place({0, chord, H, 1 - H}).r, w = half * (i < 4 ? weight[i] : weight[7 - i]);
+      const double dz = w * r / std::sqrt(1 - H / 2);
+      into.z += dz;
+      into.y += dz * (1 - H);
+      into.x += w * r * chord;
     }
   };
   std::vector<Drawn> result(angles.size());
@@ -436,32 +597,33 @@ std::vector<Drawn> drawn(Member member, double k, const std::vector<double>& ang
   for(bool done = false; !done;)
   {
     flow.expand();
-    double from = 0;
+    double from = flow.upper_chord();
+    const double lower = flow.lower_chord();
     const auto advance = [&](double to) {  // in two pieces
       piece(from, (from + to) / 2, sums);
       piece((from + to) / 2, to, sums);
       from = to;
     };
-    while(left > 0 && angles[left - 1] > 0 && flow.reaches(chord_of(angles[left - 1])))
+    while(left > 0 && angles[left - 1] > 0 && aim_at(angles[left - 1]).chord >= lower)
     {
       --left;
-      const double tau = flow.time_of(chord_of(angles[left]));
-      advance(tau);
-      result[left].at = flow.position(angles[left], tau);
+      const Aim aim = aim_at(angles[left]);
+      advance(aim.chord);
+      result[left].at = flow.place(aim);
       above[left] = sums;
       sums = {};
     }
-    done = flow.reaches(chord_of(lowest));
-    const double to = done ? flow.time_of(chord_of(lowest)) : -flow.length();
-    advance(to);
+    done = lowest >= lower;
+    advance(done ? lowest : lower);
     if(done)
     {
-      const Position floor = flow.position(lowest, to);
+      const Position floor = flow.place(aim_at(lowest));
       sums.z += floor.r * lowest;
       sums.y += floor.r * lowest;
       sums.x += floor.x;
     }
-    flow.go(to);
+    else
+      flow.go();
   }
   for(size_t i = left; i < angles.size(); ++i)
   {
@@ -472,9 +634,9 @@ std::vector<Drawn> drawn(Member member, double k, const std::vector<double>& ang
     sums.z += above[i].z;
     sums.y += above[i].y;
     sums.x += above[i].x;
-    const double half = std::sin(d.at.phi / 2);
-    d.p = d.at.s * std::cos(d.at.phi) + 2 * half * half - d.at.x;  // 1 − x − r cos φ
-    d.q = d.y - d.at.r * std::sin(d.at.phi);
+    const double half = elementary::sin(d.at.phi / 2);
+    d.p = d.at.s * elementary::cos(d.at.phi) + 2 * half * half - d.at.x;  // 1 − x − r cos φ
+    d.q = d.y - d.at.r * elementary::sin(d.at.phi);
   }
   return result;
 }
