@@ -89,6 +89,22 @@ TELL
   tell("cycloid", euler_s<double>(a, 0, phi), metres, "the arc on Huygens's cheek");
 }
 
+const std::vector<std::pair<double, double>>& exact_bends()  // at angles up to the end, for k = a/10
+{
+  static const auto all = [] {  // no parameter is in them: all tellings of the section have the same
+    const Fifty small("0.1"), last = double(highest_end(small).phi);
+    std::vector<Fifty> angles;
+    for(int i = 1; i <= 70; ++i)
+      angles.push_back(last * Fifty(i) / 70);
+    const std::vector<Fifty> radii = highest(small, angles);  // on one way down
+    std::vector<std::pair<double, double>> bends;
+    for(std::size_t i{0}; i < angles.size(); ++i)
+      bends.emplace_back(double(angles[i]), -double(slope(angles[i], radii[i], small)));
+    return bends;
+  }();
+  return all;
+}
+
 TELL
 {
   curve("bends", {"phi", "cycloid", "kk", "k4"}, [](Curve& out) {
@@ -100,12 +116,8 @@ TELL
     }
   });
   curve("exact", {"phi", "ds"}, [](Curve& out) {
-    const double last = double(highest_end(Fifty("0.1")).phi);
-    for(int i = 1; i <= 70; ++i)
-    {
-      const Fifty here = last * Fifty(i) / 70;
-      out.put({double(here) / 1_deg, -double(slope(here, highest(Fifty("0.1"), here), Fifty("0.1")))});
-    }
+    for(const auto& [angle_, bend] : exact_bends())
+      out.put({angle_ / 1_deg, bend});
   });
 }
 
