@@ -7,6 +7,7 @@
 
 #include <arkode/arkode_arkstep.h>
 #include <cvode/cvode.h>
+#include <cvode/cvode_diag.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
@@ -79,24 +80,30 @@ bool by_arkode(Numbers& numbers, double* y, double t, double tolerance, ARKODE_E
   return there;
 }
 
-bool by_cvode(Numbers& numbers, double* y, double t, double tolerance)
+// Adams's rule iterates; that for stiff equations has Newton's method, with the diagonal of their matrix alone.
+bool by_cvode(Numbers& numbers, double* y, double t, double tolerance, int rule)
 {
   numbers.set(y);
-  void* memory = CVodeCreate(CV_ADAMS, numbers.context());
-  SUNNonlinearSolver solver = SUNNonlinSol_FixedPoint(numbers.y(), 0, numbers.context());
-  if(memory == nullptr || solver == nullptr)
+  void* memory = CVodeCreate(rule, numbers.context());
+  SUNNonlinearSolver solver =
+      rule == CV_ADAMS ? SUNNonlinSol_FixedPoint(numbers.y(), 0, numbers.context()) : nullptr;
+  if(memory == nullptr || (rule == CV_ADAMS && solver == nullptr))
     throw std::bad_alloc();
   CVodeSetErrFile(memory, nullptr);
   CVodeInit(memory, Numbers::slope, 0, numbers.y());
   CVodeSetUserData(memory, &numbers);
   CVodeSStolerances(memory, tolerance, tolerance);
-  CVodeSetNonlinearSolver(memory, solver);
+  if(solver != nullptr)
+    CVodeSetNonlinearSolver(memory, solver);
+  else
+    CVDiag(memory);
   CVodeSetMaxNumSteps(memory, steps);
   CVodeSetStopTime(memory, t);
   double reached = 0;
   const bool there = CVode(memory, t, numbers.y(), &reached, CV_NORMAL) >= 0;
   CVodeFree(&memory);
-  SUNNonlinSolFree(solver);
+  if(solver != nullptr)
+    SUNNonlinSolFree(solver);
   numbers.get(y);
   return there;
 }
@@ -109,9 +116,16 @@ std::vector<Way> ways(Slope slope, const std::shared_ptr<void>& of, std::size_t 
   const auto arkode = [=](ARKODE_ERKTableID pair) {
     return [=](double* y, double t) { return by_arkode(*numbers, y, t, tolerance, pair); };
   };
-  return {{"ARKODE Fehlberg 13-7-8", arkode(ARKODE_FEHLBERG_13_7_8)},
-          {"ARKODE Verner 8-5-6", arkode(ARKODE_VERNER_8_5_6)},
-          {"CVODE Adams", [=](double* y, double t) { return by_cvode(*numbers, y, t, tolerance); }}};
+  return {
+      {"ARKODE Fehlberg 13-7-8", arkode(ARKODE_FEHLBERG_13_7_8)},
+      {"ARKODE Verner 8-5-6", arkode(ARKODE_VERNER_8_5_6)},
+      {"CVODE Adams", [=](double* y, double t) { return by_cvode(*numbers, y, t, tolerance, CV_ADAMS); }}};
+}
+
+std::vector<Way> stiff_ways(Slope slope, const std::shared_ptr<void>& of, double tolerance)
+{
+  const auto number = std::make_shared<Numbers>(slope, of, 1);
+  return {{"CVODE BDF", [=](double* y, double t) { return by_cvode(*number, y, t, tolerance, CV_BDF); }}};
 }
 
 std::vector<std::string> left_out()
@@ -127,6 +141,11 @@ namespace bench::sundials
 {
 
 std::vector<Way> ways(Slope, const std::shared_ptr<void>&, std::size_t, double)
+{
+  return {};
+}
+
+std::vector<Way> stiff_ways(Slope, const std::shared_ptr<void>&, double)
 {
   return {};
 }

@@ -25,6 +25,9 @@ struct Way
 /// absolutely and relatively; none where SUNDIALS is not installed.
 std::vector<Way> ways(Slope slope, const std::shared_ptr<void>& of, std::size_t n, double tolerance);
 
+/// CVODE's backward differentiation formulae, for one stiff equation; none where SUNDIALS is not installed.
+std::vector<Way> stiff_ways(Slope slope, const std::shared_ptr<void>& of, double tolerance);
+
 /// The names of those that are not installed.
 std::vector<std::string> left_out();
 

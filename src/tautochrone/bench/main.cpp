@@ -1,0 +1,214 @@
+/// @file
+/// bench-tautochrone: a place of an exact curve by the flow on the sphere and by the usual libraries' integrators, speed
+/// and error in one row.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "../../balance/bench/sundials.hpp"
+#include "race/race.hpp"
+#include "tautochrone/curve.hpp"
+#include "tautochrone/member.hpp"
+#include "tautochrone/ways.hpp"
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+using exact::Fifty;
+using namespace tautochrone;
+
+/// A way to r, for a tolerance.
+using Way = std::function<double()>;
+
+struct Method
+{
+  std::string name;
+  std::string kind;
+  Way run;
+};
+
+struct Scene
+{
+  std::string name;
+  std::string quantity;
+  Fifty exact;
+  std::vector<Method> methods;  ///< the first is what the others' times are divided by
+};
+
+/// An equation as it is followed downwards, by the angle that is left behind.
+struct Downwards
+{
+  double k, last;
+};
+
+int slope_downwards(double t, const double r[], double out[], void* of)
+{
+  const Downwards& from = *static_cast<const Downwards*>(of);
+  out[0] = -slope(from.last - t, r[0], from.k);
+  return 0;
+}
+
+double error_of(const Scene& scene, const Method& method)
+{
+  const double r = method.run();
+  return std::isfinite(r) ? std::abs(static_cast<double>(Fifty(r) / scene.exact - 1)) : HUGE_VAL;
+}
+
+/// The way with the loosest tolerance that is right to 1e-13, or else with that which errs least.
+void add(Scene& scene, const std::string& name, const std::function<Way(double tolerance)>& make)
+{
+  constexpr double wanted = 1e-13;
+  std::optional<Method> best;
+  for(const double tolerance :
+      {1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 3e-13, 1e-13, 3e-14, 1e-14, 3e-15, 1e-15})
+  {
+    const Method now{name, "peer", make(tolerance)};
+    const double error = error_of(scene, now);
+    if(std::isfinite(error) && (!best || error < error_of(scene, *best)))
+      best = now;
+    if(error <= wanted)
+      break;
+  }
+  if(best)
+    scene.methods.push_back(*best);
+}
+
+Scene one_place(Member member, double k, double part)
+{
+  const bool highest_ = member == Member::highest;
+  const Position last = end(member, k);
+  const double phi = part * last.phi;
+  const Point tip = widest_end(k);
+  Scene scene{
+      fmt::format("one place of the {} curve, k = {} a", highest_ ? "highest" : "widest", k),
+      fmt::format(
+          "r at {:.1f} of the angle where the {} curve of k = {} a ends; the integrators with the loosest "
+          "tolerance that is right to 1e-13, or that errs least",
+          part, highest_ ? "highest" : "widest", k),
+      highest_ ? highest(k, Fifty(phi)) : through(k, tip.phi, tip.r, {Fifty(phi)})[0],
+      {}};
+  const auto by_gsl = [&](const std::string& name, Stepper stepper) {
+    add(scene, name, [=](double tolerance) {
+      return [=] { return follow(k, last.phi, last.r, phi, tolerance, stepper); };
+    });
+  };
+  by_gsl("GSL rk8pd", Stepper::runge_kutta);
+  by_gsl("GSL bsimp", Stepper::bulirsch_stoer);
+  by_gsl("GSL msadams", Stepper::adams);
+  by_gsl("GSL msbdf", Stepper::gear);
+  const auto of = std::make_shared<Downwards>(Downwards{k, last.phi});
+  const auto by_sundials = [=](double tolerance) {
+    auto all = bench::sundials::ways(slope_downwards, of, 1, tolerance);
+    const auto stiff = bench::sundials::stiff_ways(slope_downwards, of, tolerance);
+    all.insert(all.end(), stiff.begin(), stiff.end());
+    return all;
+  };
+  const auto named = by_sundials(1e-7);
+  for(std::size_t i = 0; i < named.size(); ++i)
+    add(scene, named[i].name, [=](double tolerance) {
+      const bench::sundials::Way way = by_sundials(tolerance)[i];
+      return [=] {
+        double r = last.r;
+        return way.from(&r, last.phi - phi) ? r : HUGE_VAL;
+      };
+    });
+  scene.methods.push_back({"flow on the sphere", "ours", [=] { return at(member, k, phi).r; }});
+  return scene;
+}
+
+std::string processor()
+{
+  std::ifstream info("/proc/cpuinfo");
+  for(std::string line; std::getline(info, line);)
+    if(line.starts_with("model name"))
+      return line.substr(line.find(": ") + 2);
+  return "unknown";
+}
+
+double three_digits(double x)
+{
+  return std::stod(fmt::format("{:.3g}", x));
+}
+
+Json report(const Scene& scene, int rounds)
+{
+  Json json{{"name", scene.name},
+            {"quantity", scene.quantity},
+            {"error_unit", "1"},
+            {"peer", scene.methods[0].name},
+            {"methods", Json::array()}};
+  std::vector<race::Entrant> entrants;
+  for(const Method& method : scene.methods)
+    entrants.push_back({method.name, [&method] { race::keep(method.run()); }, 1});
+  const auto timings = race::run(entrants, {rounds, 2e-3});
+  for(std::size_t i = 0; i < timings.size(); ++i)
+    json["methods"].push_back({{"name", scene.methods[i].name},
+                               {"kind", scene.methods[i].kind},
+                               {"error", three_digits(error_of(scene, scene.methods[i]))},
+                               {"seconds", three_digits(timings[i].seconds)},
+                               {"fastest", three_digits(timings[i].fastest)},
+                               {"ratio", three_digits(timings[i].ratio)}});
+  return json;
+}
+
+void print(const Json& scene)
+{
+  fmt::print("\n{}: {}\n  {:<24} {:>10} {:>12} {:>8}\n", scene["name"].get<std::string>(),
+             scene["quantity"].get<std::string>(), "", "error", "microseconds", "speed");
+  for(const Json& row : scene["methods"])
+    fmt::print("  {:<24} {:>10.2g} {:>12.4g} {:>7.3g}x\n", row["name"].get<std::string>(),
+               row["error"].get<double>(), row["seconds"].get<double>() * 1e6,
+               1 / row["ratio"].get<double>());
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app{"The exact tautochrones: speed against error, ours and the usual libraries' in one run."};
+  bool as_json = false;
+  int rounds = 11;
+  std::string wanted;
+  app.add_flag("--json", as_json, "print JSON");
+  app.add_option("--rounds", rounds, "rounds of each race")->check(CLI::Range(1, 1000));
+  app.add_option("--scene", wanted, "only scenes whose name contains this");
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch(const CLI::ParseError& e)
+  {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  Json json{
+      {"machine", processor()}, {"compiler", TAUTOCHRONE_COMPILER},        {"flags", TAUTOCHRONE_FLAGS},
+      {"rounds", rounds},       {"left_out", bench::sundials::left_out()}, {"scenes", Json::array()}};
+  if(!as_json)
+    for(const std::string& name : bench::sundials::left_out())
+      fmt::print("Left out, for it is not installed: {}\n", name);
+  for(const Member member : {Member::highest, Member::widest})
+    for(const double k : {0.02, 0.1, 0.3, 0.7, 0.99})
+    {
+      const Scene scene = one_place(member, k, 0.8);
+      if(scene.name.find(wanted) == std::string::npos)
+        continue;
+      json["scenes"].push_back(report(scene, rounds));
+      if(!as_json)
+        print(json["scenes"].back());
+    }
+  if(as_json)
+    std::cout << json.dump(1) << '\n';
+  return std::cout.flush() ? 0 : 1;
+}
