@@ -404,6 +404,10 @@ TEST_CASE("an offset, however small, splits the frequencies, and its effect keep
           == within_relative(exact::pi(), 1e-15, "the leading term, e² beyond it"));
   }
   CHECK(std::isinf(transfer(with(0)).time));
+  // nearest to μ is a frequency, of which the square is the farther from μ²
+  const Transfer wide = transfer({{0.51, 4.5, 0.0392, 2.84 * 2.84, 2.14, 2.16, 19.795}, 1, 0.825, false});
+  CHECK(wide.splitting
+        == within_relative(Fifty("0.5611852875115226245538795"), 1e-14, "the numbers are rounded"));
   const auto all = modes(with(0.2));
   REQUIRE(all.size() == 3);
   // (λₑ² − s)(μ² − s) = εs²

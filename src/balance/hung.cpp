@@ -275,14 +275,20 @@ Transfer transfer(const Suspended& s)
   const std::vector<Fifty> found = squares(s);
   const auto& [a, b, c, kk, L, M, g] = s.beam;
   const Fifty mu2 = 2 * Fifty(g) / b, mu = sqrt(mu2);
-  Fifty nearest = 0;
+  Fifty nearest = 0, away = 0;  // from μ² and from μ
   bool any = false;
   for(const Fifty& square : found)
-    if(square > 0 && (!any || abs(square - mu2) < abs(nearest)))
+  {
+    if(square <= 0)
+      continue;
+    const Fifty here = abs(square - mu2) / (sqrt(square) + mu);
+    if(!any || here < away)
     {
       nearest = square - mu2;
+      away = here;
       any = true;
     }
+  }
   if(!any)
     throw std::domain_error("no such balance: it topples in every way");
   if(abs(nearest) < mu2 * Fifty("1e-20"))
