@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "edition/series.hpp"
 #include "tautochrone/analytic.hpp"
 #include "tautochrone/curve.hpp"
 #include "tautochrone/euler.hpp"

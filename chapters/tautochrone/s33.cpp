@@ -1,5 +1,6 @@
 #include "edition/scene.hpp"
 #include "edition/section.hpp"
+#include "edition/series.hpp"
 #include "exact/quadrature.hpp"
 #include "tautochrone/asked.hpp"
 #include "tautochrone/curve.hpp"
