@@ -2,7 +2,7 @@
 // values, and which belong together.
 
 /** The parts of the library that have a benchmark: bench-NAME, recorded as book/speeds/NAME.json. */
-export const libraries = ['swing', 'balance', 'globe'];
+export const libraries = ['swing', 'tautochrone', 'balance', 'globe'];
 
 /** A name for files and values: "Φ(t), ζ = 10⁻⁴" is phi-t-zeta-10-4. */
 export const idOf = (name) =>
