@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -22,6 +21,7 @@
 
 #include "balance/systems.hpp"
 #include "race/race.hpp"
+#include "race/report.hpp"
 #include "sundials.hpp"
 
 namespace
@@ -315,20 +315,6 @@ Scene chart()
   return scene;
 }
 
-std::string processor()
-{
-  std::ifstream info("/proc/cpuinfo");
-  for(std::string line; std::getline(info, line);)
-    if(line.starts_with("model name"))
-      return line.substr(line.find(": ") + 2);
-  return "unknown";
-}
-
-double three_digits(double x)
-{
-  return std::stod(fmt::format("{:.3g}", x));
-}
-
 Json report(const Scene& scene, int rounds)
 {
   Json json{{"name", scene.name},
@@ -343,12 +329,12 @@ Json report(const Scene& scene, int rounds)
   for(std::size_t i = 0; i < timings.size(); ++i)
   {
     const Method& method = scene.methods[i];
-    Json row{{"name", method.name}, {"kind", method.kind}, {"error", three_digits(method.run())}};
+    Json row{{"name", method.name}, {"kind", method.kind}, {"error", race::three_digits(method.run())}};
     if(method.energy)
-      row["energy"] = three_digits(*method.energy);
-    row.update({{"seconds", three_digits(timings[i].seconds)},
-                {"fastest", three_digits(timings[i].fastest)},
-                {"ratio", three_digits(timings[i].ratio)}});
+      row["energy"] = race::three_digits(*method.energy);
+    row.update({{"seconds", race::three_digits(timings[i].seconds)},
+                {"fastest", race::three_digits(timings[i].fastest)},
+                {"ratio", race::three_digits(timings[i].ratio)}});
     json["methods"].push_back(row);
   }
   return json;
@@ -399,7 +385,7 @@ int main(int argc, char** argv)
         return motion("ten thousand periods", "Euler's example, 10⁴ periods of the beam", start, 1e4 * year,
                       {1e-12}, {}, {}, {1e-9, 1e-10, 1e-14});
       }};
-  Json json{{"machine", processor()},
+  Json json{{"machine", race::processor()},
             {"compiler", BALANCE_COMPILER},
             {"flags", BALANCE_FLAGS},
             {"rounds", rounds},

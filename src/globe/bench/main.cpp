@@ -2,7 +2,6 @@
 /// bench-globe: Carlson's integrals, the times of the ball and its way with friction, ours and the usual libraries'
 /// side by side in one process, speed and error in one row.
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -12,27 +11,13 @@
 #include <nlohmann/json.hpp>
 
 #include "race/race.hpp"
+#include "race/report.hpp"
 #include "scenes.hpp"
 
 namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-std::string processor()
-{
-  std::ifstream info("/proc/cpuinfo");
-  for(std::string line; std::getline(info, line);)
-    if(line.starts_with("model name"))
-      return line.substr(line.find(": ") + 2);
-  return "unknown";
-}
-
-// Three digits: what a table shows, and more than a repeated run keeps.
-double three_digits(double x)
-{
-  return std::strtod(fmt::format("{:.3g}", x).c_str(), nullptr);
-}
 
 Json report(const bench::Scene& scene, bool errors_only, race::Options options)
 {
@@ -48,8 +33,8 @@ Json report(const bench::Scene& scene, bool errors_only, race::Options options)
     method.run(out);
     const bench::Error e = bench::judge(scene, out);
     Json row{{"name", method.name}, {"kind", method.kind}};
-    row["ulps_max"] = e.failures == e.judged ? Json("nan") : Json(three_digits(e.worst));
-    row["ulps_mean"] = e.failures == e.judged ? Json("nan") : Json(three_digits(e.mean));
+    row["ulps_max"] = e.failures == e.judged ? Json("nan") : Json(race::three_digits(e.worst));
+    row["ulps_mean"] = e.failures == e.judged ? Json("nan") : Json(race::three_digits(e.mean));
     row["failures"] = e.failures;
     row["judged"] = e.judged;
     json["methods"].push_back(row);
@@ -65,8 +50,8 @@ Json report(const bench::Scene& scene, bool errors_only, race::Options options)
   const std::vector<race::Timing> timings = race::run(entrants, options);
   for(std::size_t i = 0; i < timings.size(); ++i)
   {
-    json["methods"][i]["seconds"] = three_digits(timings[i].seconds);
-    json["methods"][i]["ratio"] = three_digits(timings[i].ratio);
+    json["methods"][i]["seconds"] = race::three_digits(timings[i].seconds);
+    json["methods"][i]["ratio"] = race::three_digits(timings[i].ratio);
   }
   return json;
 }
@@ -112,7 +97,7 @@ int main(int argc, char** argv)
   Json json;
   if(!errors_only)
   {
-    json["machine"] = processor();
+    json["machine"] = race::processor();
     json["compiler"] = GLOBE_COMPILER;
     json["flags"] = GLOBE_FLAGS;
     json["rounds"] = rounds;

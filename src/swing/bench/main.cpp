@@ -3,7 +3,6 @@
 /// one row.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "cold.hpp"
 #include "libraries.hpp"
 #include "race/race.hpp"
+#include "race/report.hpp"
 #include "scenes.hpp"
 #include "swing/kernels.hpp"
 
@@ -23,28 +23,13 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-std::string processor()
-{
-  std::ifstream info("/proc/cpuinfo");
-  for(std::string line; std::getline(info, line);)
-    if(line.starts_with("model name"))
-      return line.substr(line.find(": ") + 2);
-  return "unknown";
-}
-
-// Three digits: what a table shows, and more than a repeated run keeps.
-double three_digits(double x)
-{
-  return std::stod(fmt::format("{:.3g}", x));
-}
-
 Json errors_of(const bench::Scene& scene, const bench::Method& method)
 {
   const bench::Error e = bench::judge(scene, method);
   Json row{{"name", method.name}, {"kind", method.kind}};
   const bool nothing = e.failures == e.judged;
-  row["ulps_max"] = nothing ? Json("nan") : Json(three_digits(e.worst));
-  row["ulps_mean"] = nothing ? Json("nan") : Json(three_digits(e.mean));
+  row["ulps_max"] = nothing ? Json("nan") : Json(race::three_digits(e.worst));
+  row["ulps_mean"] = nothing ? Json("nan") : Json(race::three_digits(e.mean));
   row["failures"] = e.failures;
   row["judged"] = e.judged;
   return row;
@@ -94,9 +79,9 @@ Json report(const bench::Scene& scene, bool errors_only, race::Options options)
       for(Json& row : json["methods"])
         if(row["name"] == timing.name)
         {
-          row["seconds"] = three_digits(timing.seconds);
-          row["fastest"] = three_digits(timing.fastest);
-          row["ratio"] = three_digits(timing.ratio);
+          row["seconds"] = race::three_digits(timing.seconds);
+          row["fastest"] = race::three_digits(timing.fastest);
+          row["ratio"] = race::three_digits(timing.ratio);
         }
   return json;
 }
@@ -161,7 +146,7 @@ int main(int argc, char** argv)
   Json json;
   if(!errors_only)
   {
-    json["machine"] = processor();
+    json["machine"] = race::processor();
     json["compiler"] = SWING_COMPILER;
     json["flags"] = SWING_FLAGS;
     json["rounds"] = rounds;

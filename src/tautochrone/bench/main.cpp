@@ -3,7 +3,6 @@
 /// and error in one row.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <iterator>
@@ -18,6 +17,7 @@
 
 #include "../../balance/bench/sundials.hpp"
 #include "race/race.hpp"
+#include "race/report.hpp"
 #include "tautochrone/curve.hpp"
 #include "tautochrone/member.hpp"
 #include "tautochrone/ways.hpp"
@@ -128,20 +128,6 @@ Scene one_place(Member member, double k, double part)
   return scene;
 }
 
-std::string processor()
-{
-  std::ifstream info("/proc/cpuinfo");
-  for(std::string line; std::getline(info, line);)
-    if(line.starts_with("model name"))
-      return line.substr(line.find(": ") + 2);
-  return "unknown";
-}
-
-double three_digits(double x)
-{
-  return std::stod(fmt::format("{:.3g}", x));
-}
-
 Json report(const Scene& scene, int rounds)
 {
   Json json{{"name", scene.name},
@@ -156,10 +142,10 @@ Json report(const Scene& scene, int rounds)
   for(std::size_t i = 0; i < timings.size(); ++i)
     json["methods"].push_back({{"name", scene.methods[i].name},
                                {"kind", scene.methods[i].kind},
-                               {"error", three_digits(error_of(scene, scene.methods[i]))},
-                               {"seconds", three_digits(timings[i].seconds)},
-                               {"fastest", three_digits(timings[i].fastest)},
-                               {"ratio", three_digits(timings[i].ratio)}});
+                               {"error", race::three_digits(error_of(scene, scene.methods[i]))},
+                               {"seconds", race::three_digits(timings[i].seconds)},
+                               {"fastest", race::three_digits(timings[i].fastest)},
+                               {"ratio", race::three_digits(timings[i].ratio)}});
   return json;
 }
 
@@ -192,9 +178,12 @@ int main(int argc, char** argv)
   {
     return app.exit(e) == 0 ? 0 : 2;
   }
-  Json json{
-      {"machine", processor()}, {"compiler", TAUTOCHRONE_COMPILER},        {"flags", TAUTOCHRONE_FLAGS},
-      {"rounds", rounds},       {"left_out", bench::sundials::left_out()}, {"scenes", Json::array()}};
+  Json json{{"machine", race::processor()},
+            {"compiler", TAUTOCHRONE_COMPILER},
+            {"flags", TAUTOCHRONE_FLAGS},
+            {"rounds", rounds},
+            {"left_out", bench::sundials::left_out()},
+            {"scenes", Json::array()}};
   if(!as_json)
     for(const std::string& name : bench::sundials::left_out())
       fmt::print("Left out, for it is not installed: {}\n", name);
