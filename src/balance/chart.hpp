@@ -58,7 +58,10 @@ inline namespace COLLOCATION_REGISTERS
 template <class Real>
 struct Series
 {
-  Real term, before, sum, slope;  ///< the last term, the one before it, Σ, Σ ν·term
+  Real term;    ///< the last term
+  Real before;  ///< the one before it
+  Real sum;     ///< of the terms
+  Real slope;   ///< of the terms, each by its ν
 
   /// The first term is 1, and ν is there 0 or ½.
   ELEMENTARY_INLINE explicit Series(const Real& nu) : term(Real{} + 1), before{}, sum(term), slope(nu) {}
