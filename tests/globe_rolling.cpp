@@ -437,6 +437,18 @@ TEST_CASE("the friction beyond which scraping is not determined")
   }
 }
 
+TEST_CASE("an excess keeps its digits to the least distance from the top that a double has")
+{
+  double worst = 0;
+  for(const double below : {0.1, 1e-3, 1e-15, 1e-80, 1e-160, 1e-300, 5e-324})
+  {
+    const Fifty exact = rolling::quarter(exactly(ball), {1 - Fifty(below), below})
+                        / (exact::pi() / 2 * sqrt(bb(exactly(ball))));
+    worst = std::max(worst, exact::ulps(rolling::excess(ball, energy_from_top(below)), exact - 1));
+  }
+  CHECK(worst <= 10);
+}
+
 TEST_CASE("where c is nearly a, all that rolls keeps its digits by a − c, and without it has lost them")
 {
   for(const char* const less : {"1e-4", "1e-9", "-1e-9", "1e-12"})

@@ -38,11 +38,10 @@ double mean_over_quarter(double kc2, const Function& f)
       // of u/2, and of (2K − u)/2 in the upper half of the arrays, all six by one division
       const double c = std::sqrt(c2[i]), d = std::sqrt(d2[i]), s = s2[i];
       const double both = c + d, c1 = 1 + c, d1 = 1 + d;
-      const double cd = c1 * d1, inverse = 1 / (both * cd), part = both * both * inverse,
-                   other = kc2 * inverse;
-      const double lower_s2 = s * both * inverse, lower_c2 = part * c1, lower_d2 = part * d1;
-      const double upper_s2 = both * inverse * (c1 * c1), upper_c2 = other * s * c1,
-                   upper_d2 = other * c1 * cd;
+      const double cd = c1 * d1, inverse = 1 / (both * cd), part = both * inverse;
+      const double lower_s2 = s * part, lower_c2 = both * part * c1, lower_d2 = both * part * d1;
+      const double upper_s2 = part * (c1 * c1), upper_c2 = kc2 * (s * c1 * inverse),
+                   upper_d2 = kc2 * (c1 * cd * inverse);
       sum += f(lower_s2, lower_c2, lower_d2) + f(upper_s2, upper_c2, upper_d2);
       s2[i] = lower_s2;
       c2[i] = lower_c2;
