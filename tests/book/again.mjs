@@ -9,7 +9,8 @@ const [source, build, doxygen] = process.argv.slice(2);
 const other = fs.mkdtempSync(path.join(os.tmpdir(), 'again-'));
 try {
   const said = fs.readdirSync(build).filter((name) => /\.(json|txt)$/.test(name)); // by the build, for the weaver
-  for (const what of ['told', 'drawn', 'html/fonts', ...said])
+  const made = ['told', 'drawn', 'html/fonts', 'html/live']; // the last only where pages run themselves
+  for (const what of [...made.filter((name) => fs.existsSync(path.join(build, name))), ...said])
     fs.cpSync(path.join(build, what), path.join(other, what), { recursive: true });
   fs.writeFileSync(
     path.join(other, 'Doxyfile'),
