@@ -15,6 +15,7 @@
 /// among others: the bits are the same. The course of the steps does not depend on the moments asked for.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "collocation/coefficients.hpp"
@@ -554,7 +555,7 @@ private:
       const Answer quiet = (!smaller) & (changed <= Number(noise) * size);
       const Answer done = count == 1 ? changed <= Number(0.0) : (settled & smaller) | quiet;
       const Answer failing =
-          (count > 3 ? !(changed <= Number(0.7) * before) : !(changed <= changed)) & !done;
+          (count > 3 ? !(changed <= Number(0.7) * before) : !(changed <= Number(HUGE_VAL))) & !done;
       good = good & !(busy & failing);
       busy = busy & !done & !failing;
       if(count == most)
