@@ -7,6 +7,8 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 namespace edition
 {
 
@@ -21,13 +23,14 @@ std::string first_terms(const Coefficients& c, int lowest, int highest)
   {
     if(c[n] == decltype(c[n])(0) || ++terms > 3)
       continue;
-    std::string factor = doctest::toString(c[n]).c_str();
-    if(factor.find(' ') != std::string::npos)
-      factor = '(' + factor + ')';
-    shown += (terms > 1 ? " + " : "") + factor + (n == 0 ? "" : n == 1 ? " x" : " x^" + std::to_string(n));
+    const std::string factor = doctest::toString(c[n]).c_str();
+    const bool simple = factor.find(' ') == std::string::npos;
+    shown += fmt::format("{}{}{}{}", terms > 1 ? " + " : "", simple ? "" : "(", factor, simple ? "" : ")");
+    if(n != 0)
+      shown += n == 1 ? " x" : fmt::format(" x^{}", n);
   }
   if(terms > 3)
-    shown += " + " + std::to_string(terms - 3) + " more";
+    shown += fmt::format(" + {} more", terms - 3);
   return terms == 0 ? "0" : shown;
 }
 
