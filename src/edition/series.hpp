@@ -7,8 +7,6 @@
 
 #include <string>
 
-#include <fmt/format.h>
-
 namespace edition
 {
 
@@ -25,12 +23,18 @@ std::string first_terms(const Coefficients& c, int lowest, int highest)
       continue;
     const std::string factor = doctest::toString(c[n]).c_str();
     const bool simple = factor.find(' ') == std::string::npos;
-    shown += fmt::format("{}{}{}{}", terms > 1 ? " + " : "", simple ? "" : "(", factor, simple ? "" : ")");
+    if(terms > 1)
+      shown += " + ";
+    shown += simple ? "" : "(";
+    shown += factor;
+    shown += simple ? "" : ")";
     if(n != 0)
-      shown += n == 1 ? " x" : fmt::format(" x^{}", n);
+      shown += " x";
+    if(n != 0 && n != 1)
+      shown.append("^").append(std::to_string(n));
   }
   if(terms > 3)
-    shown += fmt::format(" + {} more", terms - 3);
+    shown.append(" + ").append(std::to_string(terms - 3)).append(" more");
   return terms == 0 ? "0" : shown;
 }
 
