@@ -5,30 +5,27 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <iostream>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <boost/numeric/odeint.hpp>
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
-#include <nlohmann/json.hpp>
 
 #include "balance/systems.hpp"
+#include "race/bench/report.hpp"
+#include "race/bench/sundials.hpp"
 #include "race/race.hpp"
-#include "race/report.hpp"
-#include "sundials.hpp"
 
 namespace
 {
 
-using Json = nlohmann::ordered_json;
 using collocation::Moment;
+using race::Json;
 using namespace balance::systems;
 
 constexpr double year = 2 * std::numbers::pi;  // a period of the beam
@@ -315,26 +312,20 @@ Scene chart()
   return scene;
 }
 
-Json report(const Scene& scene, int rounds)
+Json report(const Scene& scene, race::Options options)
 {
-  Json json{{"name", scene.name},
-            {"quantity", scene.quantity},
-            {"error_unit", scene.unit},
-            {"peer", scene.methods[0].name},
-            {"methods", Json::array()}};
+  Json json = race::scene(scene.name, scene.quantity, scene.unit, scene.methods[0].name);
   std::vector<race::Entrant> entrants;
   for(const Method& method : scene.methods)
     entrants.push_back({method.name, [&method] { race::keep(method.run()); }, method.times});
-  const auto timings = race::run(entrants, {rounds, 2e-3});
+  const auto timings = race::run(entrants, options);
   for(std::size_t i = 0; i < timings.size(); ++i)
   {
     const Method& method = scene.methods[i];
     Json row{{"name", method.name}, {"kind", method.kind}, {"error", race::three_digits(method.run())}};
     if(method.energy)
       row["energy"] = race::three_digits(*method.energy);
-    row.update({{"seconds", race::three_digits(timings[i].seconds)},
-                {"fastest", race::three_digits(timings[i].fastest)},
-                {"ratio", race::three_digits(timings[i].ratio)}});
+    race::put_times(row, timings[i]);
     json["methods"].push_back(row);
   }
   return json;
@@ -355,21 +346,11 @@ void print(const Json& scene)
 
 int main(int argc, char** argv)
 {
-  CLI::App app{"The motion of the balance: speed against error, ours and the usual libraries' in one run."};
-  bool as_json = false;
-  int rounds = 11;
-  std::string wanted;
-  app.add_flag("--json", as_json, "print JSON");
-  app.add_option("--rounds", rounds, "rounds of each race")->check(CLI::Range(1, 1000));
-  app.add_option("--scene", wanted, "only scenes whose name contains this");
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch(const CLI::ParseError& e)
-  {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
+  race::Asked asked;
+  if(const auto status = race::read(
+         asked, "The motion of the balance: speed against error, ours and the usual libraries' in one run.",
+         argc, argv, false))
+    return *status;
   const Moment<3> start{{1. / 6, 1. / 6, 1. / 6}, {}}, violent{{0.6, 0.9, -0.5}, {}};
   const std::vector<std::function<Scene()>> scenes{
       [&] {
@@ -385,25 +366,17 @@ int main(int argc, char** argv)
         return motion("ten thousand periods", "Euler's example, 10⁴ periods of the beam", start, 1e4 * year,
                       {1e-12}, {}, {}, {1e-9, 1e-10, 1e-14});
       }};
-  Json json{{"machine", race::processor()},
-            {"compiler", BALANCE_COMPILER},
-            {"flags", BALANCE_FLAGS},
-            {"rounds", rounds},
-            {"left_out", bench::sundials::left_out()},
-            {"scenes", Json::array()}};
-  if(!as_json)
-    for(const std::string& name : bench::sundials::left_out())
-      fmt::print("Left out, for it is not installed: {}\n", name);
+  Json json = race::begun(asked, BALANCE_COMPILER, BALANCE_FLAGS);
+  race::leave_out(json, asked, bench::sundials::left_out());
+  json["scenes"] = Json::array();
   for(const auto& make : scenes)
   {
     const Scene scene = make();
-    if(scene.name.find(wanted) == std::string::npos)
+    if(!asked.wants(scene.name))
       continue;
-    json["scenes"].push_back(report(scene, rounds));
-    if(!as_json)
+    json["scenes"].push_back(report(scene, asked.options()));
+    if(!asked.as_json)
       print(json["scenes"].back());
   }
-  if(as_json)
-    std::cout << json.dump(1) << '\n';
-  return std::cout.flush() ? 0 : 1;
+  return race::ended(json, asked);
 }

@@ -1,31 +1,23 @@
 /// @file
 /// bench-globe: Carlson's integrals, the times of the ball and its way with friction, ours and the usual libraries'
 /// side by side in one process, speed and error in one row.
-#include <cstdlib>
-#include <iostream>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "race/bench/report.hpp"
 #include "race/race.hpp"
-#include "race/report.hpp"
 #include "scenes.hpp"
 
 namespace
 {
 
-using Json = nlohmann::ordered_json;
+using race::Json;
 
 Json report(const bench::Scene& scene, bool errors_only, race::Options options)
 {
-  Json json{{"name", scene.name},
-            {"quantity", scene.quantity},
-            {"error_unit", scene.unit},
-            {"peer", scene.methods[0].name}};
-  json["methods"] = Json::array();
+  Json json = race::scene(scene.name, scene.quantity, scene.unit, scene.methods[0].name);
   std::vector<race::Entrant> entrants;
   std::vector<double> out(scene.size);
   for(const bench::Method& method : scene.methods)
@@ -76,42 +68,21 @@ void print(const Json& scene, bool errors_only)
 
 int main(int argc, char** argv)
 {
-  CLI::App app{
-      "The globe's integrals and times: speed against error, ours and the usual libraries' in one run."};
-  bool as_json = false;
-  bool errors_only = false;
-  int rounds = 11;
-  std::string wanted;
-  app.add_flag("--json", as_json, "print JSON");
-  app.add_flag("--errors-only", errors_only, "no timing: the same bytes in every run");
-  app.add_option("--rounds", rounds, "rounds of each race")->check(CLI::Range(1, 1000));
-  app.add_option("--scene", wanted, "only scenes whose name contains this");
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch(const CLI::ParseError& e)
-  {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  Json json;
-  if(!errors_only)
-  {
-    json["machine"] = race::processor();
-    json["compiler"] = GLOBE_COMPILER;
-    json["flags"] = GLOBE_FLAGS;
-    json["rounds"] = rounds;
-  }
+  race::Asked asked;
+  if(const auto status = race::read(
+         asked,
+         "The globe's integrals and times: speed against error, ours and the usual libraries' in one run.",
+         argc, argv, true))
+    return *status;
+  Json json = race::begun(asked, GLOBE_COMPILER, GLOBE_FLAGS);
   json["scenes"] = Json::array();
   for(const bench::Lazy& lazy : bench::all_scenes())
   {
-    if(lazy.name.find(wanted) == std::string::npos)
+    if(!asked.wants(lazy.name))
       continue;
-    json["scenes"].push_back(report(lazy.make(), errors_only, {rounds, 2e-3}));
-    if(!as_json)
-      print(json["scenes"].back(), errors_only);
+    json["scenes"].push_back(report(lazy.make(), asked.errors_only, asked.options()));
+    if(!asked.as_json)
+      print(json["scenes"].back(), asked.errors_only);
   }
-  if(as_json)
-    std::cout << json.dump(1) << '\n';
-  return std::cout.flush() ? 0 : 1;
+  return race::ended(json, asked);
 }

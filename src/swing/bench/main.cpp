@@ -3,25 +3,22 @@
 /// one row.
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cold.hpp"
 #include "libraries.hpp"
+#include "race/bench/report.hpp"
 #include "race/race.hpp"
-#include "race/report.hpp"
 #include "scenes.hpp"
 #include "swing/kernels.hpp"
 
 namespace
 {
 
-using Json = nlohmann::ordered_json;
+using race::Json;
 
 Json errors_of(const bench::Scene& scene, const bench::Method& method)
 {
@@ -69,20 +66,14 @@ std::vector<race::Timing> race_of(const bench::Scene& scene, race::Options optio
 
 Json report(const bench::Scene& scene, bool errors_only, race::Options options)
 {
-  Json json{
-      {"name", scene.name}, {"quantity", scene.quantity}, {"error_unit", scene.unit}, {"peer", scene.peer}};
-  json["methods"] = Json::array();
+  Json json = race::scene(scene.name, scene.quantity, scene.unit, scene.peer);
   for(const bench::Method& method : scene.methods)
     json["methods"].push_back(errors_of(scene, method));
   if(!errors_only)
     for(const race::Timing& timing : race_of(scene, options))
       for(Json& row : json["methods"])
         if(row["name"] == timing.name)
-        {
-          row["seconds"] = race::three_digits(timing.seconds);
-          row["fastest"] = race::three_digits(timing.fastest);
-          row["ratio"] = race::three_digits(timing.ratio);
-        }
+          race::put_times(row, timing);
   return json;
 }
 
@@ -124,50 +115,25 @@ void print(const Json& scene, bool errors_only)
 
 int main(int argc, char** argv)
 {
-  CLI::App app{
-      "The swing's time and motion: speed against error, ours and the usual libraries' in one run."};
-  bool as_json = false;
-  bool errors_only = false;
-  int rounds = 11;
-  std::string wanted;
-  app.add_flag("--json", as_json, "print JSON");
-  app.add_flag("--errors-only", errors_only, "no timing: the same bytes in every run");
-  app.add_option("--rounds", rounds, "rounds of each race")->check(CLI::Range(1, 1000));
-  app.add_option("--scene", wanted, "only scenes whose name contains this");
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch(const CLI::ParseError& e)
-  {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-
-  Json json;
-  if(!errors_only)
-  {
-    json["machine"] = race::processor();
-    json["compiler"] = SWING_COMPILER;
-    json["flags"] = SWING_FLAGS;
-    json["rounds"] = rounds;
-  }
+  race::Asked asked;
+  if(const auto status = race::read(
+         asked,
+         "The swing's time and motion: speed against error, ours and the usual libraries' in one run.",
+         argc, argv, true))
+    return *status;
+  Json json = race::begun(asked, SWING_COMPILER, SWING_FLAGS);
   json["tiers"] = Json::array();
   for(std::size_t v = 0; v < swing::kernels::count(); ++v)
     json["tiers"].push_back(swing::kernels::variant(v).name);
-  json["left_out"] = bench::libraries::left_out();
-  if(!as_json)
-    for(const std::string& name : bench::libraries::left_out())
-      fmt::print("Left out, for it is not installed: {}\n", name);
+  race::leave_out(json, asked, bench::libraries::left_out());
   json["scenes"] = Json::array();
   for(const bench::Scene& scene : bench::all_scenes())
   {
-    if(scene.name.find(wanted) == std::string::npos)
+    if(!asked.wants(scene.name))
       continue;
-    json["scenes"].push_back(report(scene, errors_only, {rounds, 2e-3}));
-    if(!as_json)
-      print(json["scenes"].back(), errors_only);
+    json["scenes"].push_back(report(scene, asked.errors_only, asked.options()));
+    if(!asked.as_json)
+      print(json["scenes"].back(), asked.errors_only);
   }
-  if(as_json)
-    std::cout << json.dump(1) << '\n';
-  return std::cout.flush() ? 0 : 1;
+  return race::ended(json, asked);
 }

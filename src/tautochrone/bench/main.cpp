@@ -4,20 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iostream>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "../../balance/bench/sundials.hpp"
+#include "race/bench/report.hpp"
+#include "race/bench/sundials.hpp"
 #include "race/race.hpp"
-#include "race/report.hpp"
 #include "tautochrone/curve.hpp"
 #include "tautochrone/member.hpp"
 #include "tautochrone/ways.hpp"
@@ -25,8 +22,8 @@
 namespace
 {
 
-using Json = nlohmann::ordered_json;
 using exact::Fifty;
+using race::Json;
 using namespace tautochrone;
 
 /// A way to r, for a tolerance.
@@ -128,24 +125,22 @@ Scene one_place(Member member, double k, double part)
   return scene;
 }
 
-Json report(const Scene& scene, int rounds)
+Json report(const Scene& scene, race::Options options)
 {
-  Json json{{"name", scene.name},
-            {"quantity", scene.quantity},
-            {"error_unit", "1"},
-            {"peer", scene.methods[0].name},
-            {"methods", Json::array()}};
+  Json json = race::scene(scene.name, scene.quantity, "1", scene.methods[0].name);
   std::vector<race::Entrant> entrants;
   for(const Method& method : scene.methods)
     entrants.push_back({method.name, [&method] { race::keep(method.run()); }, 1});
-  const auto timings = race::run(entrants, {rounds, 2e-3});
+  const auto timings = race::run(entrants, options);
   for(std::size_t i = 0; i < timings.size(); ++i)
-    json["methods"].push_back({{"name", scene.methods[i].name},
-                               {"kind", scene.methods[i].kind},
-                               {"error", race::three_digits(error_of(scene, scene.methods[i]))},
-                               {"seconds", race::three_digits(timings[i].seconds)},
-                               {"fastest", race::three_digits(timings[i].fastest)},
-                               {"ratio", race::three_digits(timings[i].ratio)}});
+  {
+    const Method& method = scene.methods[i];
+    Json row{{"name", method.name},
+             {"kind", method.kind},
+             {"error", race::three_digits(error_of(scene, method))}};
+    race::put_times(row, timings[i]);
+    json["methods"].push_back(row);
+  }
   return json;
 }
 
@@ -163,41 +158,23 @@ void print(const Json& scene)
 
 int main(int argc, char** argv)
 {
-  CLI::App app{"The exact tautochrones: speed against error, ours and the usual libraries' in one run."};
-  bool as_json = false;
-  int rounds = 11;
-  std::string wanted;
-  app.add_flag("--json", as_json, "print JSON");
-  app.add_option("--rounds", rounds, "rounds of each race")->check(CLI::Range(1, 1000));
-  app.add_option("--scene", wanted, "only scenes whose name contains this");
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch(const CLI::ParseError& e)
-  {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  Json json{{"machine", race::processor()},
-            {"compiler", TAUTOCHRONE_COMPILER},
-            {"flags", TAUTOCHRONE_FLAGS},
-            {"rounds", rounds},
-            {"left_out", bench::sundials::left_out()},
-            {"scenes", Json::array()}};
-  if(!as_json)
-    for(const std::string& name : bench::sundials::left_out())
-      fmt::print("Left out, for it is not installed: {}\n", name);
+  race::Asked asked;
+  if(const auto status = race::read(
+         asked, "The exact tautochrones: speed against error, ours and the usual libraries' in one run.",
+         argc, argv, false))
+    return *status;
+  Json json = race::begun(asked, TAUTOCHRONE_COMPILER, TAUTOCHRONE_FLAGS);
+  race::leave_out(json, asked, bench::sundials::left_out());
+  json["scenes"] = Json::array();
   for(const Member member : {Member::highest, Member::widest})
     for(const double k : {0.02, 0.1, 0.3, 0.7, 0.99})
     {
       const Scene scene = one_place(member, k, 0.8);
-      if(scene.name.find(wanted) == std::string::npos)
+      if(!asked.wants(scene.name))
         continue;
-      json["scenes"].push_back(report(scene, rounds));
-      if(!as_json)
+      json["scenes"].push_back(report(scene, asked.options()));
+      if(!asked.as_json)
         print(json["scenes"].back());
     }
-  if(as_json)
-    std::cout << json.dump(1) << '\n';
-  return std::cout.flush() ? 0 : 1;
+  return race::ended(json, asked);
 }

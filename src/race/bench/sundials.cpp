@@ -1,4 +1,4 @@
-#include "sundials.hpp"
+#include "race/bench/sundials.hpp"
 
 #ifdef HAS_SUNDIALS
 
