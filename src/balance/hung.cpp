@@ -275,22 +275,14 @@ Transfer transfer(const Suspended& s)
   const std::vector<Fifty> found = squares(s);
   const auto& [a, b, c, kk, L, M, g] = s.beam;
   const Fifty mu2 = 2 * Fifty(g) / b, mu = sqrt(mu2);
-  Fifty nearest = 0, away = 0;  // from μ² and from μ
-  bool any = false;
+  const auto away = [&](const Fifty& square) -> Fifty { return (square - mu2) / (sqrt(square) + mu); };
+  const Fifty* own = nullptr;  // whose frequency is nearest to μ
   for(const Fifty& square : found)
-  {
-    if(square <= 0)
-      continue;
-    const Fifty here = abs(square - mu2) / (sqrt(square) + mu);
-    if(!any || here < away)
-    {
-      nearest = square - mu2;
-      away = here;
-      any = true;
-    }
-  }
-  if(!any)
+    if(square > 0 && (own == nullptr || abs(away(square)) < abs(away(*own))))
+      own = &square;
+  if(own == nullptr)
     throw std::domain_error("no such balance: it topples in every way");
+  Fifty nearest = *own - mu2;
   if(abs(nearest) < mu2 * Fifty("1e-20"))
     nearest = beyond_pans(s, mu2);
   nearest /= sqrt(mu2 + nearest) + mu;
