@@ -34,15 +34,15 @@ export class Engine {
     this.drawn = new Map(); // of each figure what it was drawn from last, and what came of it
   }
 
-  async ask(what, program, given, figures = false) {
+  async ask(what, program, given, ...more) {
     const edition = await this.edition;
-    const types = ['string', 'string', 'boolean'];
-    return JSON.parse(edition.ccall(what, 'string', types, [program, JSON.stringify(given), figures]));
+    const types = ['string', 'string', ...more.map(() => 'boolean')];
+    return JSON.parse(edition.ccall(what, 'string', types, [program, JSON.stringify(given), ...more]));
   }
 
   /** { told, text } of a section with `given`, without its figures. */
   say(program, given) {
-    return this.ask('live_tell', program, given);
+    return this.ask('live_tell', program, given, false);
   }
 
   /** { told, text } of a section with `given`; or { refused } or { failed }, a sentence. The data for its figures are kept. */
