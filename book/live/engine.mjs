@@ -80,9 +80,12 @@ export class Engine {
     const words = this.scripts[`figures/${figure}.gp`];
     const named = [...words.matchAll(/\btsv\(([^()]*)\)/g)].map(([, name]) => /^"([^"]*)"$/.exec(name)?.[1]);
     const files = named.every(Boolean) ? named.map((name) => `${name}.tsv`) : Object.keys(this.data);
-    const from = files.map((file) => this.data[file]).join('\f');
-    if (this.drawn.get(figure)?.from !== from) this.drawn.set(figure, { from, svg: await this.drawing(figure) });
-    return this.drawn.get(figure).svg;
+    const from = files.map((file) => this.data[file]);
+    const last = this.drawn.get(figure);
+    if (last && from.every((content, i) => content === last.from[i])) return last.svg;
+    const svg = await this.drawing(figure);
+    this.drawn.set(figure, { from, svg });
+    return svg;
   }
 
   async drawing(figure) {
