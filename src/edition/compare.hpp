@@ -5,8 +5,7 @@
 
 #include <string>
 
-#include <doctest/doctest.h>
-
+#include "edition/doctest.hpp"
 #include "exact/fifty.hpp"
 #include "exact/rational.hpp"
 

@@ -12,10 +12,9 @@
 #include <string>
 #include <vector>
 
-#include <doctest/doctest.h>
-
 #include "edition/apparatus.hpp"
 #include "edition/compare.hpp"
+#include "edition/doctest.hpp"
 #include "edition/parameter.hpp"
 #include "edition/tell.hpp"
 #include "edition/told.hpp"
@@ -31,12 +30,12 @@
 #define EDITION_TELL(count) EDITION_TELL_COUNTED(count)
 #define EDITION_TELL_COUNTED(count) EDITION_TELL_NAMED(edition_tell_##count, edition_telling_##count)
 #define EDITION_TELL_NAMED(body, registration)                                                             \
-  static void body();                                                                                      \
+  [[gnu::cold]] static void body();                                                                        \
   static const edition::Telling registration{&(body)};                                                     \
   static void body()
 /// @endcond
 
 /// Opens a check: a doctest case whose name is a statement.
-#define CHECK_THAT(statement) TEST_CASE(statement)
+#define CHECK_THAT(statement) [[gnu::cold]] TEST_CASE(statement)
 
 using namespace edition;  // a section's file speaks the edition's language

@@ -10,9 +10,8 @@
 #include <string>
 #include <vector>
 
-#include <doctest/doctest.h>
-
 #include "edition/compare.hpp"
+#include "edition/doctest.hpp"
 #include "edition/tell.hpp"
 
 namespace edition
