@@ -145,6 +145,28 @@ export function readable(tex) {
     .trim();
 }
 
+/** TeX in which rows of fractions stand clear of each other: between one and the next of an array some room is left. */
+export function roomy(tex) {
+  const mark = /\\\\(\s*\[[^\]]*\])?|\\(begin|end)\{|\\d?frac(?![A-Za-z])/g;
+  const arrays = []; // not yet closed: where the last row ended, whether that row and this one have a fraction, or any had
+  const places = [];
+  const tall = (array) => {
+    if (array.before && !array.here && array.end) places.push(array.end);
+    Object.assign(array, { here: true, any: true });
+  };
+  for (let match = mark.exec(tex); match; match = mark.exec(tex)) {
+    const [text, given, edge] = match;
+    const array = arrays.at(-1);
+    if (edge === 'begin') arrays.push({});
+    else if (edge === 'end') {
+      if (arrays.pop()?.any && arrays.length) tall(arrays.at(-1));
+    } else if (!array) continue;
+    else if (text.startsWith('\\\\')) Object.assign(array, { end: given ? 0 : mark.lastIndex, before: array.here, here: false });
+    else tall(array);
+  }
+  return places.sort((a, b) => b - a).reduce((out, at) => `${out.slice(0, at)}[4pt]${out.slice(at)}`, tex);
+}
+
 /** HTML with every formula replaced by `what(its TeX)`. */
 export function withoutFormulas(html, what) {
   let out = '';

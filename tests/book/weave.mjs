@@ -11,7 +11,7 @@ import { palette } from '../../book/figure.mjs';
 import { blocks, named } from '../../book/section.mjs';
 import { rows } from '../../book/table.mjs';
 import { asked, folded } from '../../book/search.mjs';
-import { formulasIn, readable, texOf } from '../../book/tex.mjs';
+import { formulasIn, readable, roomy, texOf } from '../../book/tex.mjs';
 
 const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../..');
 let place;
@@ -590,6 +590,16 @@ test('a chapter has its map, its notation and its words', () => {
   assert.match(wrong, /pendulum\/notation\.md:3: the row does not say where/);
   assert.match(wrong, /pendulum\/glossary\.md:1: an entry is a line with the term/);
 });
+test('rows of fractions that follow each other are given room, and no others', () => {
+  const aligned = (rows) => `\\begin{aligned} ${rows} \\end{aligned}`;
+  assert.equal(roomy(aligned('a &= \\frac12,\\\\ b &= \\dfrac13')), aligned('a &= \\frac12,\\\\[4pt] b &= \\dfrac13'));
+  const alone = aligned('a &= \\frac12,\\\\ b &= 1\\\\ c &= \\frac13\\\\[8pt] d &= \\frac14\\\\ e &= \\tfrac15');
+  assert.equal(roomy(alone), alone);
+  assert.equal(roomy(`\\frac12\\\\ ${aligned('1')}\\\\ \\frac13`), `\\frac12\\\\ ${aligned('1')}\\\\ \\frac13`);
+  const inner = (between) => `\\begin{gathered} ${aligned('a\\\\ \\frac12')}\\\\${between} \\frac34 \\end{gathered}`;
+  assert.equal(roomy(inner('')), inner('[4pt]'));
+});
+
 test('readings become formulae where they are ones, and readable again where they are searched', () => {
   assert.equal(texOf('dz/(1 − zz)'), 'dz/(1-zz)');
   assert.equal(texOf('1,1805'), '1{,}1805');
