@@ -34,7 +34,7 @@ to it, as long as $c$ is small and its arms and masses remain.
 
 The second remark is what keeps him from the solution. It is true if the point $C$ stands fast. If $C$ can
 give way sideways, one pan acts on the other over a beam that stays level: with its centre of gravity in $C$
-itself the beam of {{sec balance.01}} does not take part in the exchange at all, and the exchange goes on.
+itself the beam of {{sec balance.01}} takes no part in small swings at all, and the exchange goes on.
 
 ::: margin
 Today: stable equilibrium; $c$ is the metacentric height of the beam.

@@ -60,16 +60,16 @@ Angles<> mirrored(const Angles<>& x)  // (A)
   return {-x.omega, -x.theta, -x.eta};
 }
 
-double pull_of_BQ(const Balance<>& balance_, const State<>& now)  // Q/L
+double pull_of_BQ(const Instrument& balance_, const State<>& now)  // Q/L, in fifty digits as P in § 7
 {
-  return tensions(balance_, State<>{mirrored(now.at), mirrored(now.rate)}).P;
+  return double(tensions(widened(balance_), widened({mirrored(now.at), mirrored(now.rate)})).P);
 }
 
 constexpr double foot = 0.3048;  // metres
 
 TELL
 {
-  const double Q = pull_of_BQ(numbers_of(given()), now_at());
+  const double Q = pull_of_BQ(given(), now_at());
   tell("Q", Q, "the pull of the string BQ, Q/L", 13);
   tell("outward", Q * std::sin(theta), "III, ddx′/(2g dt²)", 13);
   tell("down", 1 - Q * std::cos(theta), "IV, ddy′/(2g dt²)", 13);
@@ -92,7 +92,7 @@ TELL
       const State<>& now = all[static_cast<std::size_t>(i)];
       const double second = (x1(i + 4) - 2 * x1(i) + x1(i - 4)) / (16 * step * step);
       out.put(
-          {0.5 * i, pull_of_BQ(example, now) * std::sin(now.at.theta), second / (2 * instrument_of_35.g)});
+          {0.5 * i, pull_of_BQ(instrument_of_35, now) * std::sin(now.at.theta), second / (2 * instrument_of_35.g)});
     }
   });
 }
@@ -125,9 +125,9 @@ CHECK_THAT("x′ and y′ along the motion that follows from the energies obey I
         place_accelerations<Fifty>(double(a), double(b), state, accelerations(widened(given()), state));
     const Fifty G = 2 * Fifty(double(g)), x1 = of.x1 / G, y1 = of.y1 / G;
     const Fifty st = sin(state.at.theta), ct = cos(state.at.theta);
-    const double allowed = 2e-14 * (1 + double(abs(x1) + abs(y1))) * (1 + 1e-9 * L / M);
-    const char* const why = "some thirty roundings of the largest part";
-    CHECK(now.value("Q") == within((1 - y1) * ct + x1 * st, allowed, why));
+    const double allowed = 1e-15 * (1 + double(abs(x1) + abs(y1)));
+    const char* const why = "few roundings of the largest part";
+    CHECK(now.value("Q") == within_ulps((1 - y1) * ct + x1 * st, 1, "one rounding, of fifty digits"));
     CHECK(now.value("outward") == within(x1, allowed, why));
     CHECK(now.value("down") == within(y1, allowed, why));
     CHECK(now.value("todays_height", feet)
@@ -138,11 +138,10 @@ CHECK_THAT("x′ and y′ along the motion that follows from the energies obey I
 CHECK_THAT(
     "the pull in the mirror is the one of BQ itself, and today's height of fall rounds to Euler's 16")
 {
-  const Balance<> example = numbers_of(instrument_of_35);
   for(const State<>& now :
       {State<>{{0.1, -0.12, 0.08}, {0.3, -0.2, 0.4}}, State<>{{-0.9, 0.7, 1.3}, {1.1, -2, 0.6}}})
-    CHECK(pull_of_BQ(example, now)
-          == within(five_equations(instrument_of_35, now).tension.Q, 1e-14, "two reckonings rounded"));
+    CHECK(pull_of_BQ(instrument_of_35, now)
+          == within_ulps(five_equations(instrument_of_35, now).tension.Q, 1, "two reckonings rounded"));
   for(const Told& now : told_at(""))
     CHECK(now.value("todays_height", feet) == printed("16"));
 }

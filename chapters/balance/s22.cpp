@@ -24,8 +24,9 @@ $$ \mu = \sqrt{\frac{2g}b} \tag{2} $$
 
 is for the most part considerable, unless the pans hang by very short strings; but that is never done. So in
 what follows λ may be taken as always much smaller than μ. It is a statement about instruments, not about
-formulae, and he draws on it twice: $2\mu-\lambda$, by which he divides, is then never small
-({{sec balance.17}}), and neither is the difference of $1$ and $K$ ({{sec balance.30}}).
+formulae, and much rests on it: $2\mu-\lambda$, by which he divides, is then not small
+({{sec balance.17}}), nor is the difference of $1$ and $K$ ({{sec balance.30}}), and by it he chooses the
+frequencies of his example ({{sec balance.35}}).
 
 How small can λ be made, and how great? The ratio is one of two lengths, and by (1) $f$ has a least value,
 which $c$ takes when it equals $f:2$:

@@ -27,7 +27,7 @@ sideways, by $a(1-\cos\omega)$ against $a\sin\omega$ up and down; the ratio is $
 not nothing. And no rough push is needed, since the swinging pan itself pulls at $C$.
 
 Let $C$ hang from a fixed point $O$ by weightless shears of the length $h$, inclined by $\varphi$ towards the
-side of $A$. With $I = M(kk+cc)+2Laa$, $2g$ times the living force (today's kinetic energy) is
+side of $A$. With $I = M(kk+cc)+2Laa$, the kinetic energy, $2g$ times, is
 
 $$ \begin{aligned}
 &\tfrac12(M+2L)hh\,\dot\varphi^2 + \tfrac12I\dot\omega^2\\
@@ -64,7 +64,7 @@ out of step, and after the time
 $$ T = \frac{\pi}{|\sigma-\mu|} \approx \frac{2\pi\,|\mu^2-\nu^2|}{\varepsilon\mu^3} \tag{D} $$
 
 they make up the other pan swinging alone. The coupling is of the first order, so that $T$ does not depend on
-how wide the swings are.
+how wide the swings are, as long as they are small.
 
 ::: margin
 Today: normal modes and beats; $\varphi$ is eliminated like a mediator between two oscillators in resonance.

@@ -71,6 +71,15 @@ struct Pan
 /// @throws std::domain_error as floquet() does, or unless 0 ≤ t < 10⁶ periods of the beam
 Pan pan_under(const Prescribed_beam& of, const Pan& start, double t);
 
+/// The moment number k of `many`, from 0, in the last fifth of the time from 0 to `until`: one in each of `many` equal parts
+/// of it, each at another place of its part, by the golden section, so that they keep step with no rhythm of the motion.
+/// Precondition: 0 ≤ k < many
+inline double late_moment(int k, int many, double until)
+{
+  const double place = k * 0.6180339887498949;
+  return until * (0.8 + 0.2 * (k + (place - static_cast<int>(place))) / many);
+}
+
 /// A characteristic value of Mathieu's equation y″ + (a − 2q cos 2z) y = 0 with its function.
 struct Characteristic
 {
