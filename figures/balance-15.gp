@@ -4,7 +4,7 @@ set xrange [0:0.4]
 set yrange [0.2:2.6]
 set xlabel "{/:Italic p} = {/:Italic am} / {/:Italic b}"
 set ylabel "λ / μ" offset 0, 0
-set lmargin 8
+set lmargin 10
 set label "swings grow" at 0.22, 2.1 center textcolor linetype 2
 set label "bounded" at 0.22, 1.3 center textcolor linetype 1
 set label "Euler’s example" at 0.09, 1. / 3 left textcolor linetype 1

@@ -4,7 +4,7 @@ set yrange [-10:120]
 set ytics 30 format "%g°"
 set xlabel "time (s)"
 set ylabel "ω" offset 0, 0
-set lmargin 8
+set lmargin 10
 set label "{/:Italic G} above" at 4.4, 50 right textcolor linetype 1
 set label "formula" at 5.25, 95 right textcolor linetype 2
 set label "in {/:Italic C}" at 5.95, 7 right textcolor linetype 4

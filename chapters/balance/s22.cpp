@@ -147,7 +147,8 @@ to be {{excluded|4}} ft long, for $\mu = 2\lambda$ only {{open|4}} ft.
 
 ::: figure balance-22
 alt: Narrow wedges that stand on their tips at two, one and two thirds of the axis of the frequencies' ratio
-and widen upwards. All balances of one kind lie on a short level line far to the left.
+and widen upwards. All balances of one kind lie on a short level line at the left, which crosses the third
+wedge, as thin as a line there.
 
 Where a pan's swings grow: the beam's frequency in parts of μ, and $p=am:b$. The wedges stand on
 $\lambda=2\mu$, μ, $\frac23\mu$. The level line holds all the balances that have this beam, these pans and
