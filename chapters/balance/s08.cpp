@@ -91,8 +91,8 @@ TELL
     {
       const State<>& now = all[static_cast<std::size_t>(i)];
       const double second = (x1(i + 4) - 2 * x1(i) + x1(i - 4)) / (16 * step * step);
-      out.put(
-          {0.5 * i, pull_of_BQ(instrument_of_35, now) * std::sin(now.at.theta), second / (2 * instrument_of_35.g)});
+      out.put({0.5 * i, pull_of_BQ(instrument_of_35, now) * std::sin(now.at.theta),
+               second / (2 * instrument_of_35.g)});
     }
   });
 }

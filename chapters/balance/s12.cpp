@@ -9,8 +9,8 @@ using namespace balance;
 /*!
 ## What Euler does
 
-With the coordinates of {{sec balance.11}}, the sines being the angles and the cosines unity, the five
-equations take these forms:
+For small angles the five equations become so simple that the two tensions can be read off. With the
+coordinates of {{sec balance.11}}, the sines being the angles and the cosines unity, they take these forms:
 
 $$ \begin{aligned}
 \text{I.}&\quad \frac{b\,dd\eta}{2g\,dt^2} = -\frac{P\eta}L,\\

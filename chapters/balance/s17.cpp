@@ -205,7 +205,8 @@ CHECK_THAT("p solves (2): integrated to thirty digits from its own start it arri
   }
 }
 
-double by_steps(double until)  // most_missed() by the classical rule with 400 steps a radian of the pan's phase
+double by_steps(
+    double until)  // most_missed() by the classical rule with 400 steps a radian of the pan's phase
 {
   const double p = 2 * i() / lambda * C, K = i() * C * (1 / (2 * mu - lambda) - 1 / (2 * mu + lambda));
   const auto pull = [&](double time, double y) {
@@ -253,8 +254,10 @@ CHECK_THAT("what is missing grows with the time, by as much as the mean frequenc
     const double shift = std::abs(floquet({mu, lambda, 2 * i() / lambda * C}).shift);
     const auto rows = now.rows("missed");
     const double late = shift * 1000 * std::numbers::pi / mu;
-    CHECK(rows[2].at("most", percent) == within_relative(late, 0.05, "the side tones' own errors beside it"));
-    CHECK(rows[2].at("most", percent) / rows[1].at("most", percent) == between(9, 11, "ten times the time"));
+    CHECK(rows[2].at("most", percent)
+          == within_relative(late, 0.05, "the side tones' own errors beside it"));
+    CHECK(rows[2].at("most", percent) / rows[1].at("most", percent)
+          == between(9, 11, "ten times the time"));
   }
   for(const Told& now : told_at(""))
     CHECK(now.rows("missed")[0].at("most", percent) == between(1e-5, 2.5e-4, "two parts in ten thousand"));
