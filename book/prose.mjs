@@ -167,6 +167,13 @@ rules.math = guarded((token, page) => {
   return together ? `<span class="stopped">${formula}${stop}</span>` : formula + (stop && `\u2060${stop}`);
 });
 rules.told = guarded((token, page) => page.refer(token.content.replaceAll('\\|', '|').trim(), token.meta));
+/** A unit behind a told number stays on its line. */
+const unitBehind = (tokens, i, content) => tokens[i - 1]?.type === 'told' && /^ ?(?:s|ft|1\/s)(?!\p{L})/u.test(content ?? '');
+rules.text = (tokens, i) => {
+  const { content } = tokens[i];
+  return md.utils.escapeHtml(unitBehind(tokens, i, content) ? content.replace(/^ /, '\u00a0') : content);
+};
+rules.softbreak = (tokens, i) => (unitBehind(tokens, i, tokens[i + 1]?.content) ? '\u00a0' : '\n');
 rules.told_block = guarded((token, page) =>
   token.info === 'table' ? page.table(token.content) : page.collected(token.content),
 );

@@ -49,7 +49,8 @@ TELL
 }
 
 /*!
-It is {{half|f2}}.
+It is {{half|f2}}. In {{half|f2}} s or {{half|f2}}
+ft it stays together, and {{half|f2}} so far does not.
 
 {{table rows}}
 
@@ -267,6 +268,7 @@ test('a section that is right is woven', () => {
   assert.match(html, /\\page pendulum-11 A section for the test/);
   assert.match(html, /<data class="told"[^>]*data-name="pendulum.11.half"[^>]*value="0.5">0.50<\/data>/);
   assert.match(html, /data-name="pendulum\.11\.half" data-format="3"/); // in the formula
+  assert.match(html, /0\.50<\/data>\u00a0s or [^]*0\.50<\/data>\u00a0ft it stays[^]*0\.50<\/data> so far/);
   assert.match(html, /<desc[^>]*>A line at 0\.5\.<\/desc>/);
   assert.match(html, /id="eq-1"[^]*href="#code-1"/);
   assert.match(html, /class="equation ours" id="eq-A"/);
