@@ -112,7 +112,7 @@ What each step gains, in Euler's example: the greatest error within the last fif
 at the angle 1 under a beam of a sixth. Judge is the equation itself.
 */
 
-constexpr int moments = 60;  // out of step with beam and pan
+constexpr int moments = 150;  // out of step with beam and pan
 
 std::array<double, 3> errors(double until)
 {

@@ -78,8 +78,8 @@ frequency is the adiabatic invariance of $E/\omega$.
 ## The program
 
 The shape (2) is the general solution with $\gamma=\frac\pi2$, {{api balance::general}}; the shape (3) stands
-here. It is reckoned in fifty digits from the numbers as they are typed: where λ is near $2\mu$, the rounding of
-λ alone would change the slower tone.
+here. It is reckoned in fifty digits from the numbers as they are typed: where λ is near $2\mu$, the rounding
+of λ alone would change the slower tone.
 */
 
 const auto lambda =
