@@ -87,7 +87,8 @@ Sidebands<Number> sidebands(const Number& lambda, const Number& mu, const Number
 }
 
 // [general]
-/// Beam and pans by Euler's approximate solution with general phases, and their rates (§§17, 18, 20). λ ≠ 2μ.
+/// Beam and pans by Euler's approximate solution with general phases, and their rates (§§17, 18, 20).
+/// λ ≠ 2μ.
 template <class Number>
 State<Number> general(const Number& lambda, const Number& mu, const Number& i, const Constants<Number>& k,
                       const Number& t)
@@ -282,8 +283,8 @@ Row row_of(const ReleaseOf<exact::Fifty>& r, const exact::Fifty& lambda_t, const
            double degrees);
 
 // [departure]
-/// The most, in radians, that η by the full equations departs from η by a formula in one period of the beam, to
-/// some four digits (720 moments are looked at). Throws as Motion does.
+/// The most, in radians, that η by the full equations departs from η by a formula in one period of the
+/// beam, to some four digits (720 moments are looked at). Throws as Motion does.
 template <class Formula>
 double departure(const Release& r, Formula eta)
 {

@@ -116,8 +116,8 @@ struct Tensions
 };
 
 // [tensions]
-/// The tensions from the state, exactly: what is left of the pan's weight along the string, the pan's turning, and
-/// what the string's upper end adds. Source: I–IV of §§7–8 resolved along the strings.
+/// The tensions from the state, exactly: what is left of the pan's weight along the string, the pan's
+/// turning, and what the string's upper end adds. Source: I–IV of §§7–8 resolved along the strings.
 template <class Number>
 Tensions<Number> tensions(const Balance<Number>& b, const State<Number>& now)
 {
@@ -154,7 +154,8 @@ struct Five
 Five five_equations(const Instrument& instrument, const State<>& now);
 
 // [orders]
-/// The accelerations by the equations of §13 and §15, which keep ηω but not all of its order: η̈ = −μ²η − βηω̈.
+/// The accelerations by the equations of §13 and §15, which keep ηω but not all of its order:
+/// η̈ = −μ²η − βηω̈.
 template <class Number>
 Angles<Number> euler_accelerations(const Balance<Number>& b, const Angles<Number>& at)
 {
@@ -162,8 +163,8 @@ Angles<Number> euler_accelerations(const Balance<Number>& b, const Angles<Number
   return {omega, -b.mu2 * at.eta - b.beta * at.eta * omega, -b.mu2 * at.theta + b.beta * at.theta * omega};
 }
 
-/// The accelerations complete to the second order: (½ω²)″ is ω̇² + ωω̈, and what is of the second order is formed with
-/// the accelerations of the first.
+/// The accelerations complete to the second order: (½ω²)″ is ω̇² + ωω̈, and what is of the second order
+/// is formed with the accelerations of the first.
 template <class Number>
 Angles<Number> second_order_accelerations(const Balance<Number>& b, const State<Number>& now)
 {
