@@ -32,7 +32,7 @@ export class Formulas {
   /** The HTML of a formula; throws KaTeX's error when it does not parse. */
   set(tex, displayMode, toCopy = tex) {
     const key = createHash('sha256')
-      .update(`${katex.version} 3 ${displayMode} ${tex}`)
+      .update(`${katex.version} 4 ${displayMode} ${tex}`)
       .digest('base64url');
     this.used[key] =
       this.known[key] ??

@@ -145,9 +145,12 @@ export function readable(tex) {
     .trim();
 }
 
-/** TeX in which rows of fractions stand clear of each other: between one and the next of an array some room is left. */
+/**
+ * TeX in which rows of fractions stand clear of each other: between one and the next of an array some room is left. KaTeX
+ * takes it from where the row of plain letters would end, which a fraction passes by half as much.
+ */
 export function roomy(tex) {
-  const mark = /\\\\(\s*\[[^\]]*\])?|\\(begin|end)\{|\\d?frac(?![A-Za-z])/g;
+  const mark = /\\\\(?:\[(\d+)pt\]|(\s*\[))?|\\(begin|end)\{|\\d?frac(?![A-Za-z])/g;
   const arrays = []; // not yet closed: where the last row ended, whether that row and this one have a fraction, or any had
   const places = [];
   const tall = (array) => {
@@ -155,16 +158,18 @@ export function roomy(tex) {
     Object.assign(array, { here: true, any: true });
   };
   for (let match = mark.exec(tex); match; match = mark.exec(tex)) {
-    const [text, given, edge] = match;
+    const [text, points, other, edge] = match;
     const array = arrays.at(-1);
     if (edge === 'begin') arrays.push({});
     else if (edge === 'end') {
       if (arrays.pop()?.any && arrays.length) tall(arrays.at(-1));
     } else if (!array) continue;
-    else if (text.startsWith('\\\\')) Object.assign(array, { end: given ? 0 : mark.lastIndex, before: array.here, here: false });
-    else tall(array);
+    else if (text.startsWith('\\\\')) {
+      const end = other || points >= 10 ? undefined : { from: match.index + 2, to: mark.lastIndex };
+      Object.assign(array, { end, before: array.here, here: false });
+    } else tall(array);
   }
-  return places.sort((a, b) => b - a).reduce((out, at) => `${out.slice(0, at)}[4pt]${out.slice(at)}`, tex);
+  return places.sort((a, b) => b.from - a.from).reduce((out, { from, to }) => `${out.slice(0, from)}[10pt]${out.slice(to)}`, tex);
 }
 
 /** HTML with every formula replaced by `what(its TeX)`. */

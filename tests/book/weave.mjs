@@ -8,11 +8,13 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { asTeX, asText, format } from '../../book/numbers.mjs';
 import { palette } from '../../book/figure.mjs';
+import { packages } from '../../book/packages.mjs';
 import { blocks, named } from '../../book/section.mjs';
 import { rows } from '../../book/table.mjs';
 import { asked, folded } from '../../book/search.mjs';
 import { formulasIn, readable, roomy, texOf } from '../../book/tex.mjs';
 
+const katex = packages('katex');
 const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../..');
 let place;
 before(() => {
@@ -594,12 +596,18 @@ test('a chapter has its map, its notation and its words', () => {
 });
 test('rows of fractions that follow each other are given room, and no others', () => {
   const aligned = (rows) => `\\begin{aligned} ${rows} \\end{aligned}`;
-  assert.equal(roomy(aligned('a &= \\frac12,\\\\ b &= \\dfrac13')), aligned('a &= \\frac12,\\\\[4pt] b &= \\dfrac13'));
-  const alone = aligned('a &= \\frac12,\\\\ b &= 1\\\\ c &= \\frac13\\\\[8pt] d &= \\frac14\\\\ e &= \\tfrac15');
+  const two = (between) => aligned(`a &= \\frac12,\\\\${between} b &= \\dfrac13`);
+  assert.equal(roomy(two('')), two('[10pt]'));
+  assert.equal(roomy(two('[4pt]')), two('[10pt]')); // less than a fraction's own depth has no effect
+  assert.equal(roomy(two('[12pt]')), two('[12pt]'));
+  assert.equal(roomy(two('[1em]')), two('[1em]'));
+  const alone = aligned('a &= \\frac12,\\\\ b &= 1\\\\[3pt] c &= \\frac13\\\\ d &= \\tfrac15');
   assert.equal(roomy(alone), alone);
   assert.equal(roomy(`\\frac12\\\\ ${aligned('1')}\\\\ \\frac13`), `\\frac12\\\\ ${aligned('1')}\\\\ \\frac13`);
   const inner = (between) => `\\begin{gathered} ${aligned('a\\\\ \\frac12')}\\\\${between} \\frac34 \\end{gathered}`;
-  assert.equal(roomy(inner('')), inner('[4pt]'));
+  assert.equal(roomy(inner('')), inner('[10pt]'));
+  const height = (tex) => Number(/class="(?:katex-)?strut" style="height:([\d.]+)em/.exec(katex.renderToString(tex, { displayMode: true }))[1]);
+  assert.ok(height(roomy(two(''))) > height(two('')) + 0.3);
 });
 
 test('readings become formulae where they are ones, and readable again where they are searched', () => {
