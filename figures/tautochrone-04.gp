@@ -12,5 +12,5 @@ set ytics ("10^{−6}" 1e-6, "10^{−4}" 1e-4, "0.01" 0.01, "1" 1)
 set xlabel "radius of the ball, {/:Italic R}/{/:Italic a}"
 set ylabel "seconds a day late" offset 0.5, 0
 set label "resistance of the air" at 10**X_min * 1.3, 10**(A_min) left textcolor linetype 2
-set label "extension of the ball" at 10**Y_min / 1.25, 10**(B_min) right textcolor linetype 1
+set label "extension of the ball" at 10**Y_min / 1.25, 2.2 * 10**(B_min) right textcolor linetype 1
 plot file using "R":"air" with lines linetype 2, "" using "R":"body" with lines linetype 1

@@ -12,7 +12,7 @@ plot file using "c":(of(0)) with lines linetype 6, \
      file using "c":(of(1)) with lines linetype 3, \
      file using "c":(of(2)) with lines linetype 5, \
      file using "c":(of(3)) with lines linetype 2, \
-     file index 0 every ::35::35 using "c":"excess":("circle") with labels left offset 0.6, -0.8 textcolor linetype 6, \
-     file index 1 every ::35::35 using "c":"excess":("Huygens’s cycloid") with labels left offset 0.6, -0.8 textcolor linetype 3, \
-     file index 2 every ::35::35 using "c":"excess":("Euler, with {/:Italic P}") with labels left offset 0.6, -0.8 textcolor linetype 5, \
-     file index 3 every ::35::35 using "c":"excess":("with {/:Italic P} and {/:Italic Q}") with labels left offset 0.6, -0.8 textcolor linetype 2
+     file index 0 every ::35::35 using "c":"excess":("circle") with labels left rotate by 13 offset 0.4, -1.0 textcolor linetype 6, \
+     file index 1 every ::35::35 using "c":"excess":("Huygens’s cycloid") with labels left rotate by 13 offset 0.4, -1.0 textcolor linetype 3, \
+     file index 2 every ::35::35 using "c":"excess":("Euler, with {/:Italic P}") with labels left rotate by 13 offset 0.4, -1.0 textcolor linetype 5, \
+     file index 3 every ::35::35 using "c":"excess":("with {/:Italic P} and {/:Italic Q}") with labels left rotate by 13 offset 0.4, -1.0 textcolor linetype 2

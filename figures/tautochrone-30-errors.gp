@@ -16,6 +16,6 @@ plot tsv("tautochrone-30.radius") using "phi":(error("n0")) with lines linetype 
      "" using "phi":(error("n8")) with lines linetype 4, \
      "" every ::42::42 using "phi":(error("n0")):("cycloid") with labels center offset 0, 0.8 textcolor linetype 6, \
      "" every ::42::42 using "phi":(error("n1")):("{/:Italic n} = 1") with labels center offset -0.5, 0.9 textcolor linetype 5, \
-     "" every ::48::48 using "phi":(error("n2")):("2, Euler") with labels left offset -0.5, -1.1 textcolor linetype 2, \
+     "" every ::24::24 using "phi":(error("n2")):("2, Euler") with labels left offset 0.4, -0.8 textcolor linetype 2, \
      "" every ::34::34 using "phi":(error("n4")):("4") with labels right offset -0.8, 0.5 textcolor linetype 3, \
      "" every ::52::52 using "phi":(error("n8")):("8") with labels right offset -0.8, 0.5 textcolor linetype 4

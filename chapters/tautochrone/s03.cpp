@@ -106,9 +106,9 @@ that made the makers give them up, the numbers do not say.
 {{table bodies}}
 
 ::: figure tautochrone-03
-alt: Seconds a day lost against the amplitude, both logarithmic, four nearly parallel lines: the circle,
-then between cycloidal cheeks bodies with k three tenths, a tenth and a fiftieth of a, each a decade or
-more below the one before.
+alt: Seconds a day lost against the amplitude, both logarithmic, four nearly parallel lines: the circle
+uppermost, then between cycloidal cheeks bodies with k three tenths of a, at a third of it, and with a tenth
+and a fiftieth of a, about one and about three decades lower.
 
 What the clock loses on a fixed axis, and between Huygens's cheeks with bodies of three sizes. A heavy
 point would lose nothing.

@@ -169,9 +169,8 @@ TELL
                      {{"phi0", "amplitude", degrees, 3}, {"T", "T/T₀", none, 15}});
   for(const double width : {5_deg, 30_deg, 90_deg})
     rows.row({width, 1 + excess(Cheeks::none, 0, width)});
-  auto& sides =
-      table("sides", "Huygens's cheek with corners, to 60°: how far it leads the body astray at 40°",
-            {{"n", "sides"}, {"off", "distance from the path, in parts of a", none, 4}});
+  auto& sides = table("sides", "Huygens's cheek with corners, to 60°: how far astray at 40°",
+                      {{"n", "sides"}, {"off", "distance from the path, in parts of a", none, 4}});
   for(const int count : {1, 3, 9, 27, 81})
     sides.row(
         {count, apart(on_path<double>(0, 40_deg), on_arcs(polygon<double>(0, 60_deg, count), 40_deg))});

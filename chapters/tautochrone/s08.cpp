@@ -42,8 +42,8 @@ the body, and only the place of contact moves.
 
 The reason that he gives for the first statement is not sufficient. The centrifugal force pulls through $G$,
 but a body that swings with its thread is also turned, now faster, now slower, and a thread that is limp
-cannot turn it: it pulls along itself, and through $G$ that has no moment. At $M$ the free part must bear
-across, over the weight of the body,
+cannot turn it: it pulls along itself, and through $G$ that has no moment. At $M$ the free part must bear,
+across itself, so many weights of the body:
 
 $$ R = -\frac{kk}{r}\cdot\frac{2dd\varphi}{dt^2} = P\cdot\frac{GZ}{MG}, \tag{B} $$
 

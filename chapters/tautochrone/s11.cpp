@@ -111,13 +111,12 @@ TELL
 
 TELL
 {
-  auto& rows =
-      table("strips", "Seconds a day late; the strip weighs a hundredth of the body on the length a",
-            {{"phi0", "amplitude", degrees, 3},
-             {"none", "no weight", seconds, 6},
-             {"short_", "ℓ = a/5", seconds, 8},
-             {"long_", "ℓ = a", seconds, 8},
-             {"body", "ℓ = a, k = a/10", seconds, 8}});
+  auto& rows = table("strips", "Seconds a day late; the strip weighs a hundredth on the length a",
+                     {{"phi0", "amplitude", degrees, 3},
+                      {"none", "no weight", seconds, 6},
+                      {"short_", "ℓ = a/5", seconds, 8},
+                      {"long_", "ℓ = a", seconds, 8},
+                      {"body", "ℓ = a, k = a/10", seconds, 8}});
   const Fifty hundredth = Fifty(1) / 100, tenth = Fifty(1) / 10, fifth = Fifty(1) / 5;
   for(const double phi : {5_deg, 10_deg, 20_deg})
     rows.row({phi, 86'400 * swinging({0, 0, 1}).excess(phi),

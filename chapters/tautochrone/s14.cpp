@@ -231,8 +231,8 @@ the centre of oscillation of the rod when it hangs by this end.
 
 answer: Its $kk$ is a twelfth of the square of its length, and the end is half a length from $G$; by {{eq A}}
 $b = kk : \tfrac12$, a sixth of its length beyond $G$, two thirds of the length from the end:
-`--k 0.288675 --b 0.1666667`. It is the centre of oscillation: what hangs by a place that a blow would leave
-at rest needs no axis to hold it.
+`--k 0.288675 --b 0.1666667`. It is the centre of oscillation: an axis through a place that the blow leaves at
+rest has nothing to bear of it.
 :::
 */
 

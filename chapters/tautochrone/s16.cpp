@@ -245,9 +245,9 @@ $ds/d\varphi = 0$.
 ## Go on from here
 
 ::: exercise
-Between cycloids, is there a place of the swing at which nothing is borne at $M$?
+Between cycloids, is there a place of the swing, besides the lowest, at which nothing is borne at $M$?
 
-answer: No. It would need $dd\varphi = 0$ away from the lowest place. With $c = \cos\varphi$ and $\kappa
+answer: No. There $dd\varphi$ would have to be zero. With $c = \cos\varphi$ and $\kappa
 = kk:aa$ the turning is retarded in proportion to $\sin\varphi\,c\,(\kappa + c_0^2):(\kappa + c^2)^2$, in
 which every factor is positive; the check below compares it.
 :::

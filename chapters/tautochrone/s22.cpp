@@ -19,14 +19,14 @@ using namespace tautochrone;
 The formula that was found for any compound pendulum is fitted to equal times when it takes the form that
 it has for the simple one. Necessarily
 
-$$ \begin{aligned} &2\int\frac{dz\sqrt{kk+rr}}{r\sqrt{c-x}} \quad\text{must become} \\
+$$ \begin{aligned} &2\int\frac{dz\sqrt{kk+rr}}{r\sqrt{c-x}} \quad\text{must become} \\[4pt]
   &2\int\frac{dx\sqrt{\frac12f}}{\sqrt{(c-x)x}}; \end{aligned} \tag{1} $$
 
 for then, when $x = c$ is put after the integration, the letter $c$ goes out of the reckoning, and each
 swing takes as long as the smallest swings of a simple pendulum whose length is $f$. When the two are
 compared, there arises
 
-$$ \begin{gathered} \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}} \quad\text{or} \\
+$$ \begin{gathered} \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}} \quad\text{or} \\[4pt]
   \sqrt{2fx}{{entry lost_root}} = \int\frac{dz\sqrt{kk+rr}}r. \end{gathered} \tag{2} $$
 
 This equation expresses the nature of the tautochrone $CG$ for any compound pendulum. That it departs not
@@ -45,6 +45,12 @@ $$ \sigma(x) = \frac1{2\pi}\int_0^x \frac{T(c)\,dc}{\sqrt{x-c}}. \tag{A} $$
 If $T$ is the same for all of them, $2\pi\sqrt{f/2}$, then $\sigma = \sqrt{2fx}$ and nothing else. It is
 here supposed that both sides are equal, as Euler's cheeks are: from the times nothing but the sum of the
 two sides can be known.
+
+And why will Huygens's $r = a\cos\varphi$ not do? With it $\sqrt{2fx}$ is $\sqrt{aa+kk}\,\sin\varphi$, and the
+integral is $\int d\varphi\sqrt{kk+aa\cos^2\varphi}$, the arc of an ellipse. The two agree only for $k = 0$
+and for small angles; then
+
+$$ \frac{\sigma}{\sqrt{2fx}} = 1 + \frac{kk}{aa+kk}\cdot\frac{\varphi^2}6 \text{ nearly.} \tag{B} $$
 
 ## The program
 
@@ -169,6 +175,17 @@ CHECK_THAT("on Huygens's cheeks the integral is the one told, and Abel's theorem
           == within_relative(a.fifty() * sqrt(1 + kk) * sin(phi.fifty()), 1e-15, "a root and a sine"));
     CHECK(now.value("Abel", metres)
           == within_relative(a.fifty() * sum, 1e-13, "thirty places, and the roundings of the times"));
+  }
+}
+
+CHECK_THAT("on Huygens's cheeks the quotient begins as (B), whatever the body")
+{
+  for(const Fifty& small : {Fifty("0.01"), Fifty("0.3"), Fifty("0.95")})
+  {
+    const Fifty kk = small * small, to("1e-4");
+    const auto element = [&](const Fifty& x) -> Fifty { return sqrt(kk + pow(cos(x), 2)); };
+    const Fifty quotient = exact::integrate(element, 0, to).value / (sqrt(1 + kk) * sin(to));
+    CHECK(quotient - 1 == within_relative(kk / (1 + kk) * to * to / 6, 1e-7, "the next terms"));
   }
 }
 

@@ -86,8 +86,8 @@ With $k = \tfrac1{10}a$, $f$ is {{f|6}} m, and the smallest swing takes {{T_0|8}
 
 ::: figure tautochrone-23
 alt: The time of a swing over that of the smallest, against the amplitude up to 30 degrees. Four lines
-start together from one, level: the circle rises fastest, the cycloid a third as much, Euler's curves
-hardly.
+start together from one, level: the circle rises fastest, the cycloid a third as much, Euler's curves less
+still.
 
 The time of a swing, over that of the smallest, $k = \tfrac3{10}a$. Whatever the cheeks, all begin with
 the time of a simple pendulum of the length $AD$.

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "edition/section.hpp"
 #include "tautochrone/analytic.hpp"
 #include "tautochrone/curve.hpp"
@@ -10,7 +12,8 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-The equation that was found for the tautochrone,
+Euler can neither construct the equation of the tautochrone nor separate its variables, and says so. The
+equation,
 
 $$ \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}{{entry under_the_root}}} =
   \frac{dx\sqrt{kk+aa}}{\sqrt{2ax}}, \tag{1} $$
@@ -19,7 +22,7 @@ is exceedingly difficult to construct, and its variables cannot in any way be se
 For although $r$ can be defined by the other two, $x$ and $z$ (if the ordinate is $QG = y$, then
 
 $$ \begin{aligned} r &= \frac{-dz^3}{dx\,ddy}{{entry first_form}} =
-  \frac{-dy\,dz^2}{dx\,ddz}{{entry second_form}} \text{ for } dx \text{ constant,} \\
+  \frac{-dy\,dz^2}{dx\,ddz}{{entry second_form}} \text{ for } dx \text{ constant,} \\[4pt]
   \text{or } r &= \frac{dz\,dy}{ddx}{{entry third_form}} \text{ for } dz \text{ constant,}
   \end{aligned} \tag{2} $$
 
@@ -33,10 +36,10 @@ any way.
 No closed form is known to this edition either.
 :::
 
-There is one form in which the equation is neat. Let $S = \sqrt{2x:f}$, which goes as the sine of a simple
-pendulum's angle, and $X = \cos\varphi$. Then
+There is one form in which the equation is neat. Let $X = \cos\varphi$, and $S = \sqrt{2x:f}$: the sine of the
+angle that Huygens's simple pendulum of the length $f$ makes at the same height. Then
 
-$$ \begin{gathered} X^2 + \Bigl(\frac kf\Bigr)^{\!2}\Bigl(\frac{dX}{dS}\Bigr)^{\!2} = 1 - S^2, \\
+$$ \begin{gathered} X^2 + \Bigl(\frac kf\Bigr)^{\!2}\Bigl(\frac{dX}{dS}\Bigr)^{\!2} = 1 - S^2, \\[4pt]
   r = -\frac{fS\,dS}{dX}. \end{gathered} \tag{A} $$
 
 It is of the first order and of the second degree, and cannot be separated; but it shows that there is one
@@ -54,7 +57,9 @@ const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centr
 const auto k = real("k", 1.5, metres, scale, "radius of gyration");
 const auto S =
     real("S", 0.2, none, closed(1e-6, 0.9), "√(2x/f), at which the analytic tautochrone is looked at");
-const auto phi = angle("phi", 40_deg, closed(1_deg, 80_deg), "angle at which (2) is tried on the cycloid");
+const auto phi =
+    angle("phi", 40_deg, closed(1_deg, 80_deg),
+          "angle at which (2) is tried on the cycloid, and the analytic tautochrone looked at");
 const auto step = real("step", 1e-4, none, closed(1e-6, 1e-3), "the step, as a part of x or of z");
 
 struct Three
@@ -78,6 +83,18 @@ Three radii(double phi_, double h)  // (2), of the cycloid zz = 2x, a = 1
   return {-dz_x * dz_x * dz_x / (dx * ddy), -dy_x * dz_x * dz_x / (dx * ddz), dz * dy_z / ddx};
 }
 
+std::optional<Analytic> at_the_angle(const Fifty& kappa)  // none where r becomes infinite before
+{
+  try
+  {
+    return analytic_at_angle(kappa, phi.fifty());
+  }
+  catch(const std::domain_error&)
+  {
+    return std::nullopt;
+  }
+}
+
 TELL
 {
   const Three r = radii(phi, step);
@@ -97,6 +114,12 @@ TELL
     tell("phi_S", double(here.phi), degrees, "the angle of the analytic tautochrone at S");
     tell("r_S", a * double(here.r), metres, "its radius of curvature");
     tell("x_S", a * double(here.x), metres, "its height");
+    if(const auto there = at_the_angle(ratio * ratio))
+    {
+      tell("S_phi", double(there->S),
+           "S of the analytic tautochrone at the angle φ, where it reaches so far");
+      tell("r_phi", a * double(there->r), metres, "its radius of curvature there");
+    }
   }
   catch(const std::domain_error&)
   {
@@ -129,6 +152,9 @@ smaller.
 The error of the three formulae {{eq 2}} with finite steps, on the cycloid at 40°. Large steps are no
 differentials; small ones leave nothing of the second differences but roundings.
 :::
+
+The one tautochrone of a body with $k = {{k}}\,a$ is at $S = {{S}}$ inclined by {{phi_S|deg2}}, and has there
+the radius {{r_S|6}} m: more than $a$, so that it is not led by a thread that winds itself up.
 
 ## Checks
 */
@@ -169,6 +195,27 @@ CHECK_THAT("the curve told satisfies (A): its slope by differences in S, and its
     CHECK(now.value("r_S", metres) == within_relative(-a.fifty() * f * s / slope_, 1e-13, "the same"));
     CHECK(now.value("x_S", metres) == within_relative(a.fifty() * f * s * s / 2, 1e-15, "a product"));
   }
+}
+
+CHECK_THAT("at a given angle it satisfies (A) as well: the slope of S by differences in the angle")
+{
+  for(const Told& now : told_at("", "k=1 phi=10", "k=0.3 phi=20", "k=3 phi=2 a=1.5"))
+  {
+    const Fifty ratio = k.fifty() / a.fifty(), kappa = ratio * ratio, f = 1 + kappa, h("1e-9"),
+                x = phi.fifty();
+    const auto arc = [&](const Fifty& angle_) { return analytic_at_angle(kappa, angle_).S; };
+    const Fifty slope_ = (8 * (arc(x + h) - arc(x - h)) - (arc(x + 2 * h) - arc(x - 2 * h))) / (12 * h);
+    const Fifty s = sin(x) * sqrt(1 - pow(ratio / (f * slope_), 2));  // by (A), dX/dS = −sin φ : dS/dφ
+    CHECK(now.value("S_phi") == within_relative(s, 1e-13, "differences of 10⁻⁹ in 25 digits"));
+    CHECK(now.value("r_phi", metres)
+          == within_relative(a.fifty() * f * s * slope_ / sin(x), 1e-13, "the same"));
+  }
+}
+
+CHECK_THAT("a body with k greater than a has a radius that grows")
+{
+  for(const Told& now : told_at("", "S=0.1 k=1.1"))
+    CHECK(now.value("r_S", metres) == between(1.001, 2, "greater than a = 1"));
 }
 
 CHECK_THAT("near the lowest place it is the series of § 25, whose first coefficients are −(1+κ)/2 and "

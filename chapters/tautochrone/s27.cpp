@@ -34,8 +34,9 @@ one of them and then grow without end. How small the smallest is depends upon th
 
 $$ A(\varphi) = -\tfrac12 - l\sin\varphi + \tfrac12\sin^2\varphi. \tag{B} $$
 
-It stands near the place $Aaa/kk$ in the series, and what cannot be had by any number of terms is of the
-size of $e^{-Aaa/kk}$.
+The smallest stands near the place $Aaa/kk$ in the series, and what cannot be had by any number of terms is of
+the size of $e^{-Aaa/kk}$. This law of the late terms has been read off from the terms themselves, and is
+checked below by them; it is not proved here.
 
 ## The program
 
@@ -197,9 +198,9 @@ CHECK_THAT("in the figure the terms at 10° still fall with the power sixteen, a
 At which angle is the second correction as large as the first, for $k = \tfrac1{10}a$? What does that say of
 Euler's formula there?
 
-answer: With $t = \tan^2\varphi$ their quotient is $\kappa\,\dfrac{6(1+t)^3}{2+t}$. It is 1 at 61.9°: `--phi
-61.9` tells {{fall|2}} for 40° and 1.00 there. Where the last term kept is as large as the one before, nothing
-is known of those that are left out.
+answer: With $t = \tan^2\varphi$ their quotient is $\kappa\,\dfrac{6(1+t)^3}{2+t}$. At 40° it is {{fall|2}};
+it comes to 1 just beyond 61.9°: `--phi 61.9` tells 0.998. Where the last term kept is as large as the one
+before, nothing is known of those that are left out.
 :::
 */
 

@@ -222,8 +222,9 @@ With $P$ alone, where does the radius of curvature come down to zero, so that th
 $k = \tfrac1{10}a$.
 
 answer: By the margin $r = a\cos\varphi\,(1 - \kappa t(2 + t))$ with $\kappa = kk : aa$, so that
-$t = \sqrt{1 + 1 : \kappa} - 1$, and $\varphi = 71.6125°$: `--phi 71.6125` leaves not a hundredth of a
-millimetre of a metre. The second correction brings it down to 65.913° ({{sec tautochrone.32}}).
+$t = \sqrt{1 + 1 : \kappa} - 1$, and $\varphi = 71.6125°$: `--phi 71.6125` leaves of a thread of one metre
+less than a hundredth of a millimetre. The second correction brings it down to 65.913°
+({{sec tautochrone.32}}).
 :::
 */
 
