@@ -34,7 +34,17 @@ struct Asked
   Options options() const { return {rounds, 2e-3}; }
 };
 
-/// Reads the command line. The status to end with, where there is nothing to run.
+/// What is wrong with a number of rounds as it is written, or nothing. CLI11 would read 010 as eight.
+inline std::string no_rounds(const std::string& written)
+{
+  const bool digits = written.find_first_not_of("0123456789") == std::string::npos;
+  const bool whole = !written.empty() && written.front() != '0' && digits;
+  return whole && (written.size() < 4 || written == "1000")
+             ? ""
+             : fmt::format("{}; allowed: a whole number from 1 to 1000", written);
+}
+
+/// Reads the command line. The status to end with, where there is nothing to run; what is wrong is told in one line.
 inline std::optional<int> read(Asked& asked, const std::string& about, int argc, char** argv,
                                bool times_can_be_left_out)
 {
@@ -42,7 +52,7 @@ inline std::optional<int> read(Asked& asked, const std::string& about, int argc,
   app.add_flag("--json", asked.as_json, "print JSON");
   if(times_can_be_left_out)
     app.add_flag("--errors-only", asked.errors_only, "no timing: the same bytes in every run");
-  app.add_option("--rounds", asked.rounds, "rounds of each race")->check(CLI::Range(1, 1000));
+  app.add_option("--rounds", asked.rounds, "rounds of each race")->check(no_rounds);
   app.add_option("--scene", asked.scene, "only scenes whose name contains this");
   try
   {
@@ -50,7 +60,11 @@ inline std::optional<int> read(Asked& asked, const std::string& about, int argc,
   }
   catch(const CLI::ParseError& e)
   {
-    return app.exit(e) == 0 ? 0 : 2;
+    if(e.get_exit_code() == 0)
+      return app.exit(e);
+    std::cerr << e.what()
+              << (dynamic_cast<const CLI::ValidationError*>(&e) ? "\n" : "; allowed: what --help lists\n");
+    return 2;
   }
   return std::nullopt;
 }
@@ -110,6 +124,11 @@ inline void put_times(Json& row, const Timing& timing)
 /// Ends the report; the program's status.
 inline int ended(const Json& report, const Asked& asked)
 {
+  if(report.at("scenes").empty())
+  {
+    std::cerr << "--scene: " << asked.scene << "; allowed: a part of a scene's name\n";
+    return 2;
+  }
   if(asked.as_json)
     std::cout << report.dump(1) << '\n';
   return std::cout.flush() ? 0 : 1;
