@@ -594,8 +594,8 @@ Euler kept. The longer period is of the third order, beyond what his equations f
 and it accumulates: with every swing each pan lags a little more behind the table.
 
 The number that can hardly be greater has lost its letter in our copy. It must be $i$, which
-{{sec balance.34}} makes the measure of the irregularity. But his own balance there has a greater one, before
-he rounds it down.
+{{sec balance.34}} makes the measure of the irregularity. But the balance of {{sec balance.35}} has a greater
+one, {{balance.35.i_by_arm|4}}, before he rounds it down, and that of {{sec balance.34}} has {{balance.34.i|3}}.
 */
 
 /*!
