@@ -205,9 +205,9 @@ added, $n\cos$ and $n\sin$ of half their difference of phase.
 alt: From a high point hang the shears, from them the level beam, and from its ends two threads with a pan
 each, the left one drawn aside.
 
-What Bernoulli saw, in true time and in the instrument's proportions. Only the blue pan P is pulled. Watch the
-red one: after {{T|3}} s it has the whole motion and P is at rest, after twice that time P has it again. Then
-the scene begins anew.
+What Bernoulli saw, in true time and in the instrument's proportions. Only the pan P at the left is pulled.
+Watch the other: after {{T|3}} s it has the whole motion and P is at rest, after twice that time P has it
+again. Then the scene begins anew.
 :::
 
 ## Checks
