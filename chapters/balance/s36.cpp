@@ -595,7 +595,8 @@ and it accumulates: with every swing each pan lags a little more behind the tabl
 
 The number that can hardly be greater has lost its letter in our copy. It must be $i$, which
 {{sec balance.34}} makes the measure of the irregularity. But the balance of {{sec balance.35}} has a greater
-one, {{balance.35.i_by_arm|4}}, before he rounds it down, and that of {{sec balance.34}} has {{balance.34.i|3}}.
+one, {{balance.35.i_by_arm|4}}, before he rounds it down, and that of {{sec balance.34}} has
+{{balance.34.i|3}}.
 */
 
 /*!
