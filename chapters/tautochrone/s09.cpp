@@ -40,7 +40,7 @@ that swings across it, 1 for a ring, $\frac13$ for a level rod of the half lengt
 has its weight too. If a ball of the radius $R$ hangs at the distance $l$ from $A$ by a straight thin stem
 that weighs $\mu$ times as much as the ball, then
 
-$$ \begin{aligned} AC &= l\,\frac{1 + \frac12\mu}{1 + \mu}, \\[4pt]
+$$ \begin{aligned} AC &= l\,\frac{1 + \frac12\mu}{1 + \mu}, \\
   kk &= \frac{1}{1+\mu}\left(\frac25RR + \frac{\mu\,ll}{12} + \frac{\mu\,ll}{4(1+\mu)}\right). \end{aligned}
   \tag{A} $$
 

@@ -19,14 +19,14 @@ using namespace tautochrone;
 The formula that was found for any compound pendulum is fitted to equal times when it takes the form that
 it has for the simple one. Necessarily
 
-$$ \begin{aligned} &2\int\frac{dz\sqrt{kk+rr}}{r\sqrt{c-x}} \quad\text{must become} \\[4pt]
+$$ \begin{aligned} &2\int\frac{dz\sqrt{kk+rr}}{r\sqrt{c-x}} \quad\text{must become} \\
   &2\int\frac{dx\sqrt{\frac12f}}{\sqrt{(c-x)x}}; \end{aligned} \tag{1} $$
 
 for then, when $x = c$ is put after the integration, the letter $c$ goes out of the reckoning, and each
 swing takes as long as the smallest swings of a simple pendulum whose length is $f$. When the two are
 compared, there arises
 
-$$ \begin{gathered} \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}} \quad\text{or} \\[4pt]
+$$ \begin{gathered} \frac{dz\sqrt{kk+rr}}r = \frac{dx\sqrt f}{\sqrt{2x}} \quad\text{or} \\
   \sqrt{2fx}{{entry lost_root}} = \int\frac{dz\sqrt{kk+rr}}r. \end{gathered} \tag{2} $$
 
 This equation expresses the nature of the tautochrone $CG$ for any compound pendulum. That it departs not

@@ -22,7 +22,7 @@ is exceedingly difficult to construct, and its variables cannot in any way be se
 For although $r$ can be defined by the other two, $x$ and $z$ (if the ordinate is $QG = y$, then
 
 $$ \begin{aligned} r &= \frac{-dz^3}{dx\,ddy}{{entry first_form}} =
-  \frac{-dy\,dz^2}{dx\,ddz}{{entry second_form}} \text{ for } dx \text{ constant,} \\[4pt]
+  \frac{-dy\,dz^2}{dx\,ddz}{{entry second_form}} \text{ for } dx \text{ constant,} \\
   \text{or } r &= \frac{dz\,dy}{ddx}{{entry third_form}} \text{ for } dz \text{ constant,}
   \end{aligned} \tag{2} $$
 
@@ -39,7 +39,7 @@ No closed form is known to this edition either.
 There is one form in which the equation is neat. Let $X = \cos\varphi$, and $S = \sqrt{2x:f}$: the sine of the
 angle that Huygens's simple pendulum of the length $f$ makes at the same height. Then
 
-$$ \begin{gathered} X^2 + \Bigl(\frac kf\Bigr)^{\!2}\Bigl(\frac{dX}{dS}\Bigr)^{\!2} = 1 - S^2, \\[4pt]
+$$ \begin{gathered} X^2 + \Bigl(\frac kf\Bigr)^{\!2}\Bigl(\frac{dX}{dS}\Bigr)^{\!2} = 1 - S^2, \\
   r = -\frac{fS\,dS}{dX}. \end{gathered} \tag{A} $$
 
 It is of the first order and of the second degree, and cannot be separated; but it shows that there is one

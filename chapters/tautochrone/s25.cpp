@@ -24,17 +24,17 @@ $$ \begin{gathered} dz = r\,d\varphi, \quad dx = r\,d\varphi\sin\varphi, \\
 
 Put into the equation of {{sec tautochrone.24}}, this gives
 
-$$ \begin{aligned} \sqrt{kk+rr} &= \frac{r\sin\varphi\sqrt{kk+aa}}{\sqrt{2ax}}, \\[4pt]
+$$ \begin{aligned} \sqrt{kk+rr} &= \frac{r\sin\varphi\sqrt{kk+aa}}{\sqrt{2ax}}, \\
   2ax &= \frac{(aa+kk)\,rr\sin^2\varphi}{kk+rr}, \end{aligned} \tag{2} $$
 
 and by differentiation
 
-$$ \begin{aligned} a\,dx = &\frac{(aa+kk)\,rr\,d\varphi\sin\varphi\cos\varphi}{kk+rr} \\[4pt]
+$$ \begin{aligned} a\,dx = &\frac{(aa+kk)\,rr\,d\varphi\sin\varphi\cos\varphi}{kk+rr} \\
   &+ \frac{(aa+kk)\,kk\,r\,dr\sin^2\varphi}{(kk+rr)^2{{entry square}}}. \end{aligned} \tag{3} $$
 
 With the value of $dx$ from {{eq 1}} and divided by $r\sin\varphi$ it becomes
 
-$$ \begin{aligned} a\,d\varphi = &\frac{(aa+kk)\,r\,d\varphi\cos\varphi}{kk+rr} \\[4pt]
+$$ \begin{aligned} a\,d\varphi = &\frac{(aa+kk)\,r\,d\varphi\cos\varphi}{kk+rr} \\
   &+ \frac{(aa+kk)\,kk\,dr\sin\varphi}{(kk+rr)^2}. \end{aligned} \tag{4} $$
 
 ::: margin

@@ -17,7 +17,7 @@ tautochrone is determined. Let the radii of curvature $CA$ and $GM$ be drawn, th
 $C$, the other in any place $G$, and for the points of suspension $A$ and $M$ let $D$ and $H$ be the
 centres of oscillation. Let further the horizontal $GQ$ and the vertical $MS$ be drawn. Because
 
-$$ \begin{gathered} AC = a, \quad AD = a + \frac{kk}a{{entry of_AD}}, \quad CQ = x, \\[4pt] MG = r, \quad MH
+$$ \begin{gathered} AC = a, \quad AD = a + \frac{kk}a{{entry of_AD}}, \quad CQ = x, \\ MG = r, \quad MH
   = r + \frac{kk}r, \quad GS = r\sin\varphi, \end{gathered} \tag{1} $$
 
 the equation $2ax = (aa+kk)\,rr\sin^2\varphi : (kk+rr)$ of {{sec tautochrone.25}} says

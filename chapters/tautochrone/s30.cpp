@@ -32,7 +32,7 @@ With $P$, $PP$ and $dP$ put in from {{sec tautochrone.29}} this becomes
 
 $$ \begin{aligned}
     a^3Q\cos^3\varphi &+ \frac{3}{\cos^4\varphi}{{entry three_over}} - 3 - \frac{3}{\cos^2\varphi} +
-  3\cos^2\varphi \\[4pt]
+  3\cos^2\varphi \\
    &+ 3\sin^2\varphi + \frac{3\sin^2\varphi}{\cos^4\varphi} = 0, \end{aligned} \tag{2} $$
 
 or, since $\sin^2\varphi = 1 - \cos^2\varphi$,

@@ -33,18 +33,18 @@ $$ dz = r\,d\varphi, \quad dx = r\,d\varphi\sin\varphi, \quad dy = r\,d\varphi\c
 and with $r$ from {{sec tautochrone.30}}
 
 $$ \begin{aligned} z = a\!\int\! d\varphi\cos\varphi
-  &- \frac{kk}a{{entry lost_k}}\!\int\!\frac{d\varphi}{\cos^3\varphi} \\[4pt]
+  &- \frac{kk}a{{entry lost_k}}\!\int\!\frac{d\varphi}{\cos^3\varphi} \\
   &+ \frac{kk}a\!\int\! d\varphi\cos\varphi -
   \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^2\varphi}{\cos^7\varphi}, \end{aligned} \tag{2} $$
 
 $$ \begin{aligned} x = a\!\int\! d\varphi\sin\varphi\cos\varphi
-  &- \frac{kk}a\!\int\!\frac{d\varphi\sin\varphi}{\cos^3\varphi} \\[4pt]
+  &- \frac{kk}a\!\int\!\frac{d\varphi\sin\varphi}{\cos^3\varphi} \\
   &+ \frac{kk}a\!\int\! d\varphi\sin\varphi\cos\varphi -
   \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^3\varphi}{\cos^7\varphi{{entry seventh}}},
   \end{aligned} \tag{3} $$
 
 $$ \begin{aligned} y = a\!\int\! d\varphi\cos^2\varphi
-  &- \frac{kk}a\!\int\!\frac{d\varphi}{\cos^2\varphi} \\[4pt]
+  &- \frac{kk}a\!\int\!\frac{d\varphi}{\cos^2\varphi} \\
   &+ \frac{kk}a\!\int\! d\varphi\cos^2\varphi -
   \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^2\varphi}{\cos^6\varphi}. \end{aligned} \tag{4} $$
 

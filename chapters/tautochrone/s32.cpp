@@ -16,8 +16,8 @@ using namespace tautochrone;
 The integrals of {{sec tautochrone.31}} can all be had in finite terms, and with them any point of the
 tautochrone. The letter $l$ stands for the natural logarithm.
 
-$$ \begin{aligned} \int\!d\varphi\cos\varphi &= \sin\varphi, \\[4pt]
-  \int\!d\varphi\sin\varphi\cos\varphi &= \tfrac12\sin^2\varphi, \\[4pt]
+$$ \begin{aligned} \int\!d\varphi\cos\varphi &= \sin\varphi, \\
+  \int\!d\varphi\sin\varphi\cos\varphi &= \tfrac12\sin^2\varphi, \\
   \int\!d\varphi\cos^2\varphi &= \tfrac12\varphi + \tfrac12\sin\varphi\cos\varphi, \end{aligned} \tag{1} $$
 
 $$ \int\!\frac{d\varphi}{\cos^3\varphi} = \frac{\sin\varphi}{2\cos^2\varphi} +
@@ -39,22 +39,22 @@ $$ \int\!\frac{d\varphi\sin^2\varphi}{\cos^6\varphi} = \frac{\sin\varphi}{5\cos^
 
 With these values the arc is
 
-$$ \begin{aligned} z = a\sin\varphi &+ \frac{kk}a\sin\varphi - \frac{kk\sin\varphi}{2a\cos^2\varphi} \\[4pt]
-  &- \frac{kk}{2a{{entry half}}}\,l\tan(45^\circ+\tfrac12\varphi) \\[4pt]
+$$ \begin{aligned} z = a\sin\varphi &+ \frac{kk}a\sin\varphi - \frac{kk\sin\varphi}{2a\cos^2\varphi} \\
+  &- \frac{kk}{2a{{entry half}}}\,l\tan(45^\circ+\tfrac12\varphi) \\
   &- \frac{k^4{{entry fourth}}\sin\varphi}{a^3\cos^6\varphi} + \frac{k^4\sin\varphi}{4a^3\cos^4\varphi}
-  \\[4pt] &+ \frac{3k^4\sin\varphi}{8a^3\cos^2\varphi} \\[4pt]
+  \\ &+ \frac{3k^4\sin\varphi}{8a^3\cos^2\varphi} \\
   &+ \frac{3{{entry three}}k^4}{8a^3}\,l\tan(45^\circ+\tfrac12\varphi), \end{aligned} \tag{7} $$
 
 and the two coordinates are
 
 $$ \begin{aligned} x = \tfrac12a\sin^2\varphi &+ \frac{kk}{2a}\sin^2\varphi + \frac{kk}{2a} -
-  \frac{kk}{2a\cos^2\varphi} \\[4pt]
+  \frac{kk}{2a\cos^2\varphi} \\
   &- \frac{k^4}{2a^3} - \frac{k^4}{a^3\cos^6\varphi{{entry powers_in_x}}} +
   \frac{3k^4}{2a^3\cos^4\varphi}, \end{aligned} \tag{8} $$
 
 $$ \begin{aligned} y = \tfrac12a\varphi &+ \tfrac12a\sin\varphi\cos\varphi +
-  \frac{kk}{2a}\varphi + \frac{kk}{2a}\sin\varphi\cos\varphi \\[4pt]
-  &- \frac{kk\sin\varphi}{a\cos\varphi} - \frac{6k^4\sin\varphi}{5a^3\cos^5\varphi} \\[4pt]
+  \frac{kk}{2a}\varphi + \frac{kk}{2a}\sin\varphi\cos\varphi \\
+  &- \frac{kk\sin\varphi}{a\cos\varphi} - \frac{6k^4\sin\varphi}{5a^3\cos^5\varphi} \\
   &+ \frac{2k^4\sin\varphi}{5a^3\cos^3\varphi{{entry powers_in_y}}} +
   \frac{4k^4\sin\varphi}{5a^3\cos\varphi}. \end{aligned} \tag{9} $$
 

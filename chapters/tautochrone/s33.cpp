@@ -26,23 +26,23 @@ $$ s = a - r, \qquad dp = ds\cos\varphi, \qquad dq = ds\sin\varphi, \tag{1} $$
 because the thread, of the length $a$, lies on the cheek with its part $s$ and touches it with the rest.
 From what was found before,
 
-$$ \begin{aligned} s = a &- a\cos\varphi - \frac{kk\cos\varphi}a + \frac{kk}{a\cos^3\varphi} \\[4pt]
+$$ \begin{aligned} s = a &- a\cos\varphi - \frac{kk\cos\varphi}a + \frac{kk}{a\cos^3\varphi} \\
   &- \frac{6k^4}{a^3{{entry cube_of_a}}\cos^5\varphi} + \frac{6k^4}{a^3\cos^7\varphi},
   \end{aligned} \tag{2} $$
 
 $$ \begin{aligned} ds = a\,d\varphi\sin\varphi &+ \frac{kk\,d\varphi\sin\varphi}a +
   \frac{3kk\,d\varphi\sin\varphi}{a\cos^4\varphi}
-  \\[4pt] &- \frac{30k^4d\varphi\sin\varphi}{a^3\cos^6\varphi} +
+  \\ &- \frac{30k^4d\varphi\sin\varphi}{a^3\cos^6\varphi} +
   \frac{42k^4d\varphi\sin\varphi}{a^3\cos^8\varphi}, \end{aligned} \tag{3} $$
 
 $$ \begin{aligned} dp = a\,d\varphi\sin\varphi\cos\varphi
- &+ \frac{kk\,d\varphi\sin\varphi\cos\varphi}a \\[4pt]
+ &+ \frac{kk\,d\varphi\sin\varphi\cos\varphi}a \\
  &+ \frac{3kk\,d\varphi\sin\varphi}{a\cos^3\varphi} - \frac{30k^4d\varphi\sin\varphi}{a^3\cos^5\varphi}
- \\[4pt] &+ \frac{42k^4d\varphi\sin\varphi}{a^3\cos^7\varphi}, \end{aligned} \tag{4} $$
+ \\ &+ \frac{42k^4d\varphi\sin\varphi}{a^3\cos^7\varphi}, \end{aligned} \tag{4} $$
 
 $$ \begin{aligned} dq = a\,d\varphi\sin^2\varphi &+ \frac{kk\,d\varphi\sin^2\varphi}a -
-  \frac{3kk\,d\varphi}{a\cos^2\varphi} \\[4pt] &+
-  \frac{3kk\,d\varphi}{a\cos^4\varphi} + \frac{30k^4d\varphi}{a^3\cos^4\varphi} \\[4pt] &-
+  \frac{3kk\,d\varphi}{a\cos^2\varphi} \\ &+
+  \frac{3kk\,d\varphi}{a\cos^4\varphi} + \frac{30k^4d\varphi}{a^3\cos^4\varphi} \\ &-
   \frac{72k^4d\varphi}{a^3\cos^6\varphi} +
  \frac{42k^4d\varphi}{a^3\cos^8\varphi}. \end{aligned} \tag{5} $$
 

@@ -20,15 +20,15 @@ using namespace tautochrone;
 The formulae of {{sec tautochrone.33}}, integrated, give both coordinates of the cheek for any angle, so
 that it can be drawn by points; with that the paper ends. The abscissa $AP$ is
 
-$$ \begin{aligned} p = \tfrac12a\sin^2\varphi &+ \frac{kk\sin^2\varphi}{2a} - \frac{3kk}{2a} \\[4pt]
-  &+ \frac{3kk}{2a\cos^2\varphi} - \frac{15k^4}{2a^3{{entry cube_of_a}}\cos^4\varphi} \\[4pt]
+$$ \begin{aligned} p = \tfrac12a\sin^2\varphi &+ \frac{kk\sin^2\varphi}{2a} - \frac{3kk}{2a} \\
+  &+ \frac{3kk}{2a\cos^2\varphi} - \frac{15k^4}{2a^3{{entry cube_of_a}}\cos^4\varphi} \\
   &+ \frac{7k^4}{a^3\cos^6\varphi} + \frac{k^4}{2a^3}. \end{aligned} \tag{1} $$
 
 For the ordinate one needs
 
 $$ \int d\varphi\sin^2\varphi = \tfrac12\varphi - \tfrac12\sin\varphi\cos\varphi, \tag{2} $$
 
-$$ \begin{aligned} \int\frac{d\varphi}{\cos^2\varphi} &= \frac{\sin\varphi}{\cos\varphi}, \\[4pt]
+$$ \begin{aligned} \int\frac{d\varphi}{\cos^2\varphi} &= \frac{\sin\varphi}{\cos\varphi}, \\
   \int\frac{d\varphi}{\cos^4\varphi} &= \frac{\sin\varphi}{3\cos^3\varphi} +
   \frac{2\sin\varphi}{3\cos\varphi}, \end{aligned} \tag{3} $$
 
@@ -36,15 +36,15 @@ $$ \int\frac{d\varphi}{\cos^6\varphi} = \frac{\sin\varphi}{5\cos^5\varphi} +
   \frac{4\sin\varphi}{15\cos^3\varphi} + \frac{8\sin\varphi}{15\cos\varphi}, \tag{4} $$
 
 $$ \begin{aligned} \int\frac{d\varphi}{\cos^8\varphi} = \frac{\sin\varphi}{7\cos^7\varphi} &+
-  \frac{6\sin\varphi}{35\cos^5\varphi} \\[4pt]
+  \frac{6\sin\varphi}{35\cos^5\varphi} \\
   &+ \frac{8\sin\varphi}{35\cos^3\varphi} + \frac{16\sin\varphi}{35\cos\varphi}, \end{aligned} \tag{5} $$
 
 and has
 
-$$ \begin{aligned} q = \tfrac12a\varphi &- \tfrac12a\sin\varphi\cos\varphi + \frac{kk\varphi}{2a} \\[4pt]
-  &- \frac{kk\sin\varphi\cos\varphi}{2a} - \frac{kk\sin\varphi}{a\cos\varphi} \\[4pt]
-  &+ \frac{kk\sin\varphi}{a\cos^3\varphi} \\[4pt]
-  &+ \frac{k^4\sin\varphi}{a^3\cos\varphi}\Bigl(\frac45 + \frac2{5\cos^2\varphi} \\[4pt]
+$$ \begin{aligned} q = \tfrac12a\varphi &- \tfrac12a\sin\varphi\cos\varphi + \frac{kk\varphi}{2a} \\
+  &- \frac{kk\sin\varphi\cos\varphi}{2a} - \frac{kk\sin\varphi}{a\cos\varphi} \\
+  &+ \frac{kk\sin\varphi}{a\cos^3\varphi} \\
+  &+ \frac{k^4\sin\varphi}{a^3\cos\varphi}\Bigl(\frac45 + \frac2{5\cos^2\varphi} \\
   &\qquad - \frac{36}{5\cos^4\varphi} + \frac6{\cos^6\varphi}\Bigr). \end{aligned} \tag{6} $$
 
 Since both coordinates, $p$ and $q$, can be had from the given angle φ, which is also the amplitude of the
