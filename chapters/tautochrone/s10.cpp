@@ -55,10 +55,10 @@ const auto phi0 =
 const auto phi = angle("phi", within_swing(30_deg, phi0), closed(0_deg, 89_deg),
                        "angle of the free part with the vertical");
 
-double short_of_H(double ratio, double phi0_, double phi_)  // 1 − GZ/GH, (B)
+double short_of_H(double ratio, const Posture<double>& at)  // 1 − GZ/GH, (B)
 {
-  const double kk = ratio * ratio, c = std::cos(phi_), cc = c * c;
-  const double rise = std::sin(phi0_ - phi_) * std::sin(phi0_ + phi_);  // cc − c₀c₀
+  const double kk = ratio * ratio, cc = at.cos * at.cos;
+  const double rise = 2 * at.to_rise;  // cc − c₀c₀
   return (kk + cc) * rise / (cc * (kk + cc) + kk * rise);
 }
 
@@ -66,12 +66,11 @@ TELL
 {
   const double ratio = k / a;
   require(ratio >= 1e-80 && ratio <= 1e20, "k", "from 1e-80 a to 1e20 a");
-  require(phi <= phi0, "phi", "at most phi0");
-  const auto at = on_cycloids<double>(phi0, phi);
+  const auto at = posture_as_written(Cheeks::cycloids, ratio, phi0, phi);
   tell("CD", a * (ratio * ratio), metres, "of the centre of oscillation at rest");
   tell("GH", a * GH(at, ratio), metres, "of that for the axis M, (1)");
   tell("GZ", a * cycloidal_GZ<double>(ratio, phi0, phi), metres, "of the place where P must act, (A)");
-  tell("short_of_H", short_of_H(ratio, phi0, phi), percent, "by how much GZ is smaller than GH, (B)");
+  tell("short_of_H", short_of_H(ratio, at), percent, "by how much GZ is smaller than GH, (B)");
   tell("P", force(at, ratio), "the force P over the weight");
   tell("tension", tension(at, ratio), "the pull along the thread over the weight");
 }
@@ -174,6 +173,14 @@ CHECK_THAT("GZ, P and the tension told are what the accelerations of the body de
     CHECK(now.value("tension") == within_relative(pull, 2e-14, "the same"));
     CHECK(now.value("short_of_H", percent)
           == within(1 - arm * cos(phi.fifty()) / (k_ * k_), 2e-14, "two sines, and the angle's rounding"));
+  }
+  for(const Told& now : told_at("phi0=60 phi=59.99999999999", "phi0=89 phi=88.9999999999 k=1e-5"))
+  {
+    const Fifty kk = pow(k.fifty() / a.fifty(), 2), cc = pow(cos(phi.fifty()), 2),
+                rise = cc - pow(cos(phi0.fifty()), 2);
+    CHECK(now.value("short_of_H", percent)
+          == within_relative((kk + cc) * rise / (cc * (kk + cc) + kk * rise), 1e-14,
+                             "the angles as written"));
   }
 }
 

@@ -77,9 +77,9 @@ double share(double ratio, double r)  // of the store of motion that is in the r
 TELL
 {
   require(k / a >= 1e-9 && k / a <= 1e9, "k", "from 1e-9 a to 1e9 a");
-  require(phi <= phi0, "phi", "at most phi0");
   const double ratio = k / a;
-  const auto here = on_cycloids<double>(phi0, phi), below = on_cycloids<double>(phi0, 0);
+  const auto here = posture_as_written(Cheeks::cycloids, ratio, phi0, phi),
+             below = on_cycloids<double>(phi0, 0);
   const double v = a * speed_height(here, ratio);
   tell("v", v, metres, "height due to the velocity of G");
   tell("b", a * speed_height(below, ratio), metres, "the same in the lowest place");
@@ -137,6 +137,12 @@ CHECK_THAT("the two velocities and their heights are those of the motion that be
     const Fifty fallen = (cos(2 * phi.fifty()) - cos(2 * phi0.fifty())) / 4;
     CHECK(now.value("share", percent)
           == within_relative(1 - r * r * w / fallen, 1e-14, "what the translation leaves of the fall"));
+  }
+  for(const Told& now : told_at("phi=19.9999999999", "k=0.01 phi0=89 phi=88.999999999999"))
+  {
+    const Fifty rr = pow(cos(phi.fifty()), 2), rise = (rr - pow(cos(phi0.fifty()), 2)) / 2;
+    CHECK(now.value("v", metres)
+          == within_relative(rr * rise / (rr + pow(k.fifty(), 2)), 1e-14, "the angles as written"));
   }
 }
 

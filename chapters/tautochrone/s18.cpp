@@ -148,6 +148,15 @@ CHECK_THAT("the heights told, of the rise and of the speeds, are those of the mo
           == within_relative(w0 / (height(Fifty(1)) - height(cos(most))), 5e-14, why));
     CHECK(now.value("AC_to_AD") == within_relative(1 / (1 + kk), 1e-15, "a few roundings"));
   }
+  for(const Told& now : told_at("phi0=30 phi=29.9999999999", "cheeks=3 phi0=45 phi=44.999999999999",
+                                "cheeks=0 phi=69.9999999"))
+  {
+    const Fifty ratio = k.fifty(), x = phi.fifty();
+    const auto radius = radius_on(cheeks, ratio), height = integral(radius);
+    const Fifty rise = height(cos(x)) - height(cos(phi0.fifty())), rr = pow(radius(cos(x)), 2);
+    CHECK(now.value("to_rise", metres) == within_relative(rise, 1e-14, "the angles as written"));
+    CHECK(now.value("v", metres) == within_relative(rr * rise / (rr + ratio * ratio), 1e-14, "the same"));
+  }
 }
 
 CHECK_THAT(

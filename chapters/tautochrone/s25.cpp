@@ -80,6 +80,11 @@ bool passes(double small, double angle_, double r)  // whether a curve that can 
   return (1 + small * small) * r * std::cos(angle_) >= small * small + r * r;
 }
 
+int digits_of_s(double small)  // as many as are left of 1 − k/a when k/a is rounded, but one or two
+{
+  return std::clamp(14 + int(std::floor(std::log10(1 - small))), 1, 12);
+}
+
 TELL
 {
   const double small = k / a;
@@ -91,7 +96,7 @@ TELL
     const Position here = at(Member::highest, small, phi);
     tell("r_highest", a * here.r, metres, "r of the curve that rises highest");
     tell("x_highest", a * here.x, metres, "its height");
-    tell("s_highest", a * here.s, metres, "the arc of its cheek");
+    tell("s_highest", a * here.s, metres, "the arc of its cheek", digits_of_s(small));
   }
   const bool few_steps = small >= 2e-4;
   if(few_steps)
@@ -103,9 +108,10 @@ TELL
   if(few_steps && passes(small, phi1, r1 / a) && phi <= phi1)
     tell("r_through", a * at_through(small, phi1, r1 / a, phi).r, metres,
          "r of the curve through the reader's place");
-  tell("end_highest", top.phi, degrees, "where the highest curve ends, (A)");
-  tell("height", a * top.x, metres, "how high that is");
-  tell("end_widest", tip.phi, degrees, "where the widest curve ends, (B)");
+  const Fifty ratio = k.fifty() / a.fifty();
+  tell("end_highest", double(highest_end(ratio).phi), degrees, "where the highest curve ends, (A)");
+  tell("height", double(a.fifty() * pow(1 - ratio, 2) / 2), metres, "how high that is");
+  tell("end_widest", double(widest_end(ratio).phi), degrees, "where the widest curve ends, (B)");
 }
 
 /*!
@@ -370,6 +376,15 @@ CHECK_THAT(
           == within_relative(a.fifty() * pow(1 - small, 2) / 2, 3e-15, "the same"));
     CHECK(now.value("end_widest", degrees)
           == within_relative(exact::pi() / 2 - 2 * atan(small), 3e-15, "the same"));
+  }
+  for(const Told& now : told_at("k=0.9999999 phi=1e-6"))  // all of the curves is as small as 1 − k/a
+  {
+    CHECK(now.value("end_highest", degrees)
+          == within_relative((1 - k.fifty()) / sqrt(k.fifty()), 1e-13,
+                             "the angle's own tangent, and k as written"));
+    CHECK(now.value("height", metres) == within_relative(pow(1 - k.fifty(), 2) / 2, 1e-15, "the same"));
+    CHECK(now.value("s_highest", metres)
+          == within_relative(1 - highest(k.fifty(), phi.fifty()), 1e-6, "seven digits of 1 − k/a are k's"));
   }
   for(const Told& now : told_at("k=1e-5 phi=40"))  // the others would take 10¹⁰ steps
     CHECK(now.value("r_highest", metres)

@@ -40,15 +40,27 @@ inline edition::Default within_swing(double usual, const edition::Parameter<doub
   return edition::at_most(usual, "phi0", [phi0] { return phi0.fifty(); });
 }
 
-/// The place φ of a swing out to φ₀ between the cheeks, for k = ratio and a = 1. Refuses, by the names of the
-/// sections' options, a k that is not from 1e-9 a to 1e9 a, a swing beyond the cheeks' end, and a φ beyond φ₀.
-inline Posture<double> asked_posture(Cheeks cheeks, double ratio, double phi0, double phi)
+/// The place φ of a swing out to φ₀, whatever leads the thread, for k = ratio and a = 1: found from the angles as
+/// they were written, in fifty digits, and rounded. Near the end of the swing their doubles would leave little of
+/// c − x. Refuses, by its name, a φ beyond φ₀. Domain: that of on_cheeks(). Each number is off by half an ulp.
+inline Posture<double> posture_as_written(Cheeks cheeks, double ratio,
+                                          const edition::Parameter<double>& phi0,
+                                          const edition::Parameter<double>& phi)
+{
+  edition::require(phi.fifty() <= phi0.fifty(), "phi", "at most phi0");
+  const auto at = on_cheeks<exact::Fifty>(cheeks, ratio, phi0.fifty(), phi.fifty());
+  return {double(at.sin), double(at.cos), double(at.r), double(at.shortening), double(at.to_rise)};
+}
+
+/// The same, where k is refused, too, that is not from 1e-9 a to 1e9 a, and a swing beyond the cheeks' end, by the
+/// names of the sections' options.
+inline Posture<double> asked_posture(Cheeks cheeks, double ratio, const edition::Parameter<double>& phi0,
+                                     const edition::Parameter<double>& phi)
 {
   edition::require(ratio >= 1e-9 && ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
   edition::require(phi0 < largest_amplitude(cheeks, ratio), "phi0",
                    "less than where the thread is all wound");
-  edition::require(phi <= phi0, "phi", "at most phi0");
-  return on_cheeks<double>(cheeks, ratio, phi0, phi);
+  return posture_as_written(cheeks, ratio, phi0, phi);
 }
 
 /// Where Euler's curve with both corrections ends, for k = ratio and a = 1: the angle in radians at which r has
