@@ -313,7 +313,7 @@ for (const name of pages.filter((f) => /^[a-z]+-\d\d\.html$/.test(f))) {
   if (
     await page.evaluate(
       () =>
-        [...document.querySelectorAll('.banner, .contents-tree, .turn, .plain, button')].some(
+        [...document.querySelectorAll('.banner, .contents-tree, .turn, .plain, button, input[type="range"]')].some(
           (e) => e.offsetHeight,
         ) || document.querySelector('main details:not([open], .plain)'),
     )
