@@ -278,3 +278,29 @@ const Emendation length{
       const Five five = five_equations(instrument_of_35, {{1e-5, 0, 0}, {}});
       return -32 * 1e-5 / five.acceleration.omega == within_relative(reading, 1e-9, "elimination");
     }};
+
+/*!
+## Go on from here
+
+::: exercise
+Can strings be found on which the beam takes the same time for wide swings and small ones?
+answer: By {{eq A}} where $\mu\mu = (4-32\rho)\,\lambda\lambda$, that is, with strings of the length
+$b = f:(4-32\rho)$. So the pans must be light, ρ less than an eighth; with heavier ones no string will do.
+:::
+*/
+
+CHECK_THAT("on strings of the length f : (4 − 32ρ) the beam's mean frequency is λ, to the next order of m")
+{
+  for(const double share : {0.04, 0.05, 0.08})
+  {
+    const Balance<> of{1, 4 - 32 * share, 0.5, share};
+    CHECK(shift_of(of, 0.1) == within(0, 1e-17, "a difference of equal parts"));
+    const Balance<> heavier{1, 4 - 32 * share, 0.5, 2 * share};
+    const double m_ = 0.02, room = 0.004 * m_ * m_ + 10 * std::pow(m_, 4);
+    CHECK(frequency(of, m_) == within(0, room, "half a swing of a hundred, and the next order"));
+    CHECK(frequency(heavier, m_) == within_relative(shift_of(heavier, m_), 0.2, "the same"));
+  }
+  for(const double share : {0.125, 0.3})
+    for(const double mu2 : {1e-6, 0.5, 2., 3., 5., 50., 1e6})
+      CHECK(shift_of(Balance<>{1, mu2, 0.5, share}, 0.1) != 0);
+}

@@ -231,3 +231,26 @@ const Emendation angle_m{
     {"λλμμam", [] { return 9 * 16. / 9 / 6 / (2 * 16 * 35); }},
     "it is the K of §26",
     [](double reading) { return reading == within_relative(Fifty(1) / 420, 1e-14, "few roundings"); }};
+
+/*!
+## Go on from here
+
+::: exercise
+Where between $2\mu$ and the bounds of the growing swings do the two frequencies lie at which $K$ is 1 and
+−1, if the beam pulls but little?
+answer: Half-way: the bounds are at $2\mu(1\mp p)$, the two frequencies, by {{eq B}}, at
+$2\mu(1\mp\tfrac12p)$. So Euler's formula fails well inside the interval.
+:::
+*/
+
+CHECK_THAT("for a small p the two frequencies lie half-way between 2μ and the bounds")
+{
+  for(const Told& now : told_at("m=0.1", "m=0.01"))
+  {
+    const Unit unit{"1/s"};
+    const double two = 2 * mu, p = double(arm());
+    CHECK((two - where(1)) / (two - unstable(mu, p, 1).from) == within(0.5, p, "the next order of p"));
+    CHECK((where(-1) - two) / (unstable(mu, p, 1).to - two) == within(0.5, p, "the same"));
+    CHECK(now.value("from", unit) == within_relative(two * (1 - p), 2 * p * p, "the same"));
+  }
+}

@@ -289,3 +289,24 @@ const Erratum in_the_other{"§31, Q's swing from 196 to 202 seconds in the examp
                              }
                              return reading == within(most, 0.0005, "the digits given");
                            }};
+
+/*!
+## Go on from here
+
+::: exercise
+How many swings does P make until its motion is Q's, if the pans are much quicker than the beam?
+answer: By {{eq B}} $\mu T_3:\pi$ tends to $2:\rho mm$. With a beam that swings by a sixth and $\rho=\tfrac14$
+that is 288 swings, whatever the lengths. (In the balance of {{sec balance.01}} it is
+{{balance.01.swings|3}}.)
+:::
+*/
+
+CHECK_THAT("quick pans make 2 : ρmm swings until all is exchanged, less a part 4λλ : μμ")
+{
+  for(const Told& now : told_at("lambda=2 mu=20", "lambda=1 mu=14"))
+  {
+    const Fifty part = 4 * lambda.fifty() * lambda.fifty() / (mu.fifty() * mu.fifty());
+    const Fifty time = 288 * (1 - part) * exact::pi() / mu.fifty();
+    CHECK(now.value("by_theory", seconds) == within_relative(time, 1e-14, "the sixth is rounded"));
+  }
+}

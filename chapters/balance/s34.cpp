@@ -174,3 +174,31 @@ const Emendation beams_angle{"§34, the angle of the beam's motion",
                                const bool by_n = share(twice_n) > 1.9 * share(example_of_35);
                                return m_is_what_counts == (by_m && !by_n ? 1 : by_n ? 0 : -1);
                              }};
+
+/*!
+## Go on from here
+
+::: exercise
+At what depth of its centre of gravity does a beam make its pans the most irregular?
+answer: Where it is the quickest, since $i = a\lambda:2b$ and only λ contains $c$: at
+$c = \sqrt{kk+2Laa:M}$ ({{sec balance.14}}). In the example that is $\sqrt5$ ft, and $i$ would be 1.34.
+:::
+*/
+
+CHECK_THAT("i is the greatest at the c of the quickest beam, where it is 1.34 in the example")
+{
+  double most = 0;
+  for(const Told& now : told_at("c=2.2360679774997898", "c=2.2", "c=2.27", "c=1", "c=5"))
+  {
+    const Unit unit{"1/s"};
+    if(most == 0)
+    {
+      const Fifty root = sqrt(Fifty(5));  // λλ is 2g : 2c there
+      CHECK(now.value("i", unit) == within_relative(sqrt(16 / root) / 2, 2e-15, "the library's"));
+      CHECK(now.value("i", unit) == printed("1.34"));
+      most = i_with(a);
+    }
+    else
+      CHECK(i_with(a) < most);
+  }
+}
