@@ -200,20 +200,7 @@ TELL
 }
 
 /*!
-With $G$ a tenth of a foot above $C$ the beam falls at the rate κ = {{kappa|5}} 1/s, from {{m}} to 30° in
-{{falls|4}} s; a tenth of $m$ would only take $\ln10:\kappa$ longer. With $G$ in $C$ the pans let it swing
-with Λ = {{Lambda|4}} 1/s.
-
-{{table fates}}
-
-::: figure balance-21
-alt: Inclination of the beam against time, for three places of the centre of gravity. Below the pivot it
-swings by one degree, in the pivot it stays, above it the beam leaves slowly, then ever faster. The formula
-agrees up to some sixty degrees and then runs ahead.
-
-The beam, let go at 1° with the pans hanging straight, with $G$ a tenth of a foot below $C$, in $C$, and a
-tenth above: by the full equations, and by {{eq A}} (dashed).
-:::
+And the beam with $G$ in $C$, for a minute, beside $m\cos\Lambda t$.
 */
 
 const double free_n = 10_deg, free_n1 = -4_deg;  // the pans of the second figure
@@ -238,6 +225,21 @@ TELL
 }
 
 /*!
+With $G$ a tenth of a foot above $C$ the beam falls at the rate κ = {{kappa|5}} 1/s, from {{m}} to 30° in
+{{falls|4}} s; a tenth of $m$ would only take $\ln10:\kappa$ longer. With $G$ in $C$ the pans let it swing
+with Λ = {{Lambda|4}} 1/s.
+
+{{table fates}}
+
+::: figure balance-21
+alt: Inclination of the beam against time, for three places of the centre of gravity. Below the pivot it
+swings by one degree, in the pivot it stays, above it the beam leaves slowly, then ever faster. The formula
+agrees up to some sixty degrees and then runs ahead.
+
+The beam, let go at 1° with the pans hanging straight, with $G$ a tenth of a foot below $C$, in $C$, and a
+tenth above: by the full equations, and by {{eq A}} (dashed).
+:::
+
 ::: figure balance-21-free
 alt: Inclination of the beam against time over a minute. A slow wave of about half a minute's period with a
 fine trembling upon it; the formula runs through the middle.

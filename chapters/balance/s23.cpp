@@ -121,25 +121,6 @@ TELL
 }
 
 /*!
-After {{t}} s the beam that was left at rest stands at {{omega|4}}; (A) has {{omega_second|4}}.
-
-::: figure balance-23
-alt: The beam's inclination over two of its periods, a fast oscillation on a slow one, up to some four tenths
-of a degree. Euler's line is zero.
-
-The beam's motion when one pan is let go alone: by the full equations, by {{eq A}} (dashed), and by Euler.
-:::
-
-::: scene stirred
-alt: A level beam on its pivot, a thread with a pan at each end, the left one drawn aside.
-
-The same in true time and proportions. Euler's beam would stay level; watch its ends while P swings.
-With short arms and heavy pans ($a = \tfrac1{10}b$, $\rho = \tfrac25$) each of the two oscillations in
-{{eq A}} has more than a degree and a half.
-:::
-
-### The other pan
-
 To see {{eq C}} at work, one pan is let go by 0.15 of the radius and the other by a ten-thousandth of that,
 once with light and once with heavy pans.
 */
@@ -173,6 +154,25 @@ TELL
 }
 
 /*!
+After {{t}} s the beam that was left at rest stands at {{omega|4}}; (A) has {{omega_second|4}}.
+
+::: figure balance-23
+alt: The beam's inclination over two of its periods, a fast oscillation on a slow one, up to some four tenths
+of a degree. Euler's line is zero.
+
+The beam's motion when one pan is let go alone: by the full equations, by {{eq A}} (dashed), and by Euler.
+:::
+
+::: scene stirred
+alt: A level beam on its pivot, a thread with a pan at each end, the left one drawn aside.
+
+The same in true time and proportions. Euler's beam would stay level; watch its ends while P swings.
+With short arms and heavy pans ($a = \tfrac1{10}b$, $\rho = \tfrac25$) each of the two oscillations in
+{{eq A}} has more than a degree and a half.
+:::
+
+### The other pan
+
 With pans that have 0.35 of the inertia each, Q grows by {{heavy_seen|3}} of itself in a second; (C) has
 {{heavy_theory|3}}.
 

@@ -89,19 +89,6 @@ TELL
 }
 
 /*!
-By {{eq B}} the motion passes in {{by_theory|5}} s, by the full equations in {{by_motion|4}} s; then Q has
-{{Q|3}} of the swing with which P began, and P {{P|2}}.
-
-::: figure balance-31
-alt: Two curves against the time. P's amplitude falls from one nearly to zero and comes back; Q's rises from
-zero to one at the same time.
-
-How far P and Q swing, in parts of P's first amplitude, by the full equations. P alone was let go, with a
-beam that swings by a sixth of the radius. By Euler Q would keep to the line of zero.
-:::
-
-### Euler's own example
-
 His example has μ = 3λ, and all three angles alike ({{sec balance.35}}). Let P alone have its angle, and halve
 all angles twice.
 */
@@ -133,6 +120,19 @@ TELL
 }
 
 /*!
+By {{eq B}} the motion passes in {{by_theory|5}} s, by the full equations in {{by_motion|4}} s; then Q has
+{{Q|3}} of the swing with which P began, and P {{P|2}}.
+
+::: figure balance-31
+alt: Two curves against the time. P's amplitude falls from one nearly to zero and comes back; Q's rises from
+zero to one at the same time.
+
+How far P and Q swing, in parts of P's first amplitude, by the full equations. P alone was let go, with a
+beam that swings by a sixth of the radius. By Euler Q would keep to the line of zero.
+:::
+
+### Euler's own example
+
 {{table example}}
 
 At the sixth of the radius that he has the exchange takes longer than {{eq B}} by {{longer|2}}: there (B) is
