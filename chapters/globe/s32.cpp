@@ -266,8 +266,8 @@ $1:Kn$ (grey). It never comes to nothing.
 ## Checks
 
 The motion is followed once more in fifty digits, by Newton's equations for $G$ and Φ in {{sec globe.06}} and
-{{sec globe.07}}. The judge puts the times of the changes right, and sees to it that between them the cradle
-does nothing but what friction allows.
+{{sec globe.07}}. As in {{sec globe.08}} the judge is told the start alone, and finds by itself when the
+cradle must change what it does.
 */
 
 Fifty needed(const Ball<Fifty>& ball, const Fifty& Phi_, const Fifty& w = 0)  // λ of rolling, g being 1
@@ -289,19 +289,6 @@ Fifty amplitude_that_needs(const Ball<Fifty>& ball, const Fifty& friction)  // t
   return low;
 }
 
-// The motion from a state till so many changes have happened, or till the end.
-std::vector<oracle::Stretch> judged(const oracle::Judge& judge, const Path<double>& path,
-                                    const State<Fifty>& start)
-{
-  std::vector<double> changes;
-  for(std::size_t n = 1; n < path.events().size(); ++n)
-    changes.push_back(path.events()[n].t);
-  std::vector<oracle::Stretch> all = judge.stretches(start, changes);
-  for(const oracle::Stretch& one : all)
-    CHECK(one.margin == between(0, infinity, "it may do so"));
-  return all;
-}
-
 CHECK_THAT("the first swing with less and less friction is that of Newton's equations")
 {
   for(const Told& now :
@@ -311,8 +298,7 @@ CHECK_THAT("the first swing with less and less friction is that of Newton's equa
       const double friction = row.at("mu");
       const Fifty T = sqrt(a.fifty() / g.fifty()), swing = row.at("swing", seconds) / T;
       const oracle::Judge judge(own_measure(), 1, friction);
-      const std::vector<oracle::Stretch> all =
-          judged(judge, {body(), 1, friction, {0, 0, Phi, 0}, double(swing)}, {0, 0, Phi.fifty(), 0});
+      const std::vector<oracle::Stretch> all = judge.stretches({0, 0, Phi.fifty(), 0}, swing);
       for(const int part : {1, 5, 9})
         CHECK(judge.at(all, part * swing / 10).w < 0);
       const State<Fifty> turns = judge.at(all, swing);
@@ -392,7 +378,7 @@ CHECK_THAT("the excesses told are those of Newton's equations, scraping after sc
     const oracle::Judge judge(ball, 1, mu.fifty());
     const Fifty there = amplitude_that_needs(ball, mu.fifty());
     std::vector<Fifty> excess;
-    for(const oracle::Stretch& one : judged(judge, followed(), {0, 0, Phi.fifty(), 0}))
+    for(const oracle::Stretch& one : judge.stretches({0, 0, Phi.fifty(), 0}, 1000, 2 * swings + 4))
       if(one.mode == Mode::rolling)
         excess.push_back((judge.energy(one.start) - 2 * (1 - ball.c * cos(there)))
                          / (2 * ball.c * sin(there)));
@@ -423,8 +409,7 @@ CHECK_THAT(
   {
     const Fifty excess(small), lowest = 2 * (1 - ball.c), at_threshold = 2 * (1 - ball.c * cos(there)),
                                w = sqrt(2 * (at_threshold - lowest + excess * in_energy) / bb(ball));
-    const Path<double> path(cradle<double>, 1, double(friction), {0, 0, 0, double(w)}, 20, 2);
-    const std::vector<oracle::Stretch> all = judged(judge, path, {0, 0, 0, w});
+    const std::vector<oracle::Stretch> all = judge.stretches({0, 0, 0, w}, 20, 2);
     const Fifty next = (judge.energy(all[2].start) - at_threshold) / in_energy, t0 = all[1].start.w / alpha;
     CHECK((all[2].from - all[1].from) / t0
           == within_relative(3, 4 * double(sqrt(excess)), "of its root's order"));

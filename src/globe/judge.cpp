@@ -1,6 +1,7 @@
 #include "globe/judge.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace globe::oracle
 {
@@ -63,30 +64,68 @@ State<Fifty> Judge::in_a_moment(const State<Fifty>& from, Mode mode, const Fifty
   return of_contact(G, mode);
 }
 
-// The least to which a margin dips between two states that are so far apart, if one does: by the cubic that has the
-// values and the slopes at both. Else 1.
-Fifty Judge::least_between(const State<Fifty>& from, const State<Fifty>& to, Mode mode,
-                           const Fifty& time) const
+// Whether all margins are positive at the second of two states that are so far apart, and between them by the cubic
+// that has the values and the slopes at both.
+bool Judge::may(const State<Fifty>& from, const State<Fifty>& to, Mode mode, const Fifty& time) const
 {
   const Fifty h("1e-20");
   const auto begin = margins(from, mode), end = margins(to, mode);
   const auto begins = margins(in_a_moment(from, mode, h), mode),
              ends = margins(in_a_moment(to, mode, h), mode);
-  Fifty least = 1;
   for(std::size_t i = 0; i < begin.size(); ++i)
   {
     // m + s x + p xx + q xxx, x from 0 to 1
     const Fifty& m = begin[i];
+    if(end[i] <= 0)
+      return false;
     const Fifty s = (begins[i] - m) / h * time, rise = end[i] - m, last = (ends[i] - end[i]) / h * time;
     const Fifty p = 3 * rise - 2 * s - last, q = s + last - 2 * rise;
     const Fifty root = p * p - 3 * q * s;
     if(root <= 0)
       continue;
     const Fifty x = -s / (p + sqrt(root));  // where it is least
-    if(x > Fifty("0.01") && x < Fifty("0.99"))
-      least = std::min(least, Fifty(m + x * (s + x * (p + x * q))));
+    if(x > Fifty("0.01") && x < Fifty("0.99") && m + x * (s + x * (p + x * q)) <= 0)
+      return false;
   }
-  return least;
+  return true;
+}
+
+Fifty Judge::longest_step(const State<Fifty>& at) const
+{
+  const Fifty swings = sqrt(g_ * (1 / ball_.a + ball_.c / (ball_.k * ball_.k)));
+  return 1 / (2 * (abs(at.w) + swings));
+}
+
+// What begins with the change that comes within so short a time, its `from` counted from now; nothing if it is not
+// yet seen which margin vanishes.
+std::optional<Stretch> Judge::next(const State<Fifty>& now, Mode mode, const Fifty& soon) const
+{
+  const Fifty h("1e-20");
+  const auto begin = margins(now, mode), end = margins(after(now, mode, soon), mode);
+  std::size_t which = begin.size();
+  Fifty time = soon;
+  for(std::size_t i = 0; i < begin.size(); ++i)  // the first to vanish, by the chord
+    if(begin[i] > 0 && end[i] <= 0 && begin[i] * soon <= time * (begin[i] - end[i]))
+      which = i, time = begin[i] * soon / (begin[i] - end[i]);
+  if(which == begin.size())
+    return std::nullopt;
+  State<Fifty> there = after(now, mode, time);
+  Fifty correction = soon;
+  while(abs(correction) > Fifty("1e-12") * soon)  // Newton
+  {
+    const Fifty here = margins(there, mode)[which];
+    correction = -here * h / (margins(in_a_moment(there, mode, h), mode)[which] - here);
+    if(abs(correction) > soon)
+      return std::nullopt;
+    time += correction;
+    there = after(now, mode, time);
+  }
+  if(mode == Mode::rolling && which < 2)
+    return Stretch{time, which == 0 ? Mode::scraping_forwards : Mode::scraping_backwards, there};
+  if(which > 0)
+    return Stretch{time, Mode::off, there};
+  there.slip = 0;
+  return Stretch{time, without_slip(there), there};
 }
 
 const Stretch& stretch_at(const std::vector<Stretch>& motion, const Fifty& t)
@@ -108,50 +147,40 @@ Fifty Judge::energy(const State<Fifty>& at) const
   return (dx * dx + dy * dy + k * k * at.w * at.w) / 2 + 2 * g_ * y;
 }
 
-std::vector<Stretch> Judge::stretches(const State<Fifty>& start, const std::vector<double>& told) const
+std::vector<Stretch> Judge::stretches(const State<Fifty>& start, const Fifty& end,
+                                      std::size_t most_changes) const
 {
-  const Mode first = start.slip > 0   ? Mode::scraping_forwards
-                     : start.slip < 0 ? Mode::scraping_backwards
-                                      : without_slip(start);
-  std::vector<Stretch> all{{0, first, start, 1}};
-  for(const double change : told)
+  Mode mode = start.slip > 0   ? Mode::scraping_forwards
+              : start.slip < 0 ? Mode::scraping_backwards
+                               : without_slip(start);
+  std::vector<Stretch> all{{0, mode, start}};
+  State<Fifty> now = start;
+  Fifty t = 0, step = longest_step(now) / 8;
+  bool comes = false;  // a change, within the next step and as much again
+  while(t < end && all.back().mode != Mode::off && all.size() <= most_changes)
   {
-    Stretch& last = all.back();
-    const Mode mode = last.mode;
-    Fifty t = change;
-    const Fifty length = t - last.from;
-    State<Fifty> now = last.start;
-    int before = 0;
-    for(const int part : {1, 9, 17, 25, 33, 41, 49, 50})
-    {
-      const State<Fifty> from = now;
-      now = after(now, mode, (part - before) * length / 50);
-      last.margin = std::min(last.margin, least_between(from, now, mode, (part - before) * length / 50));
-      before = part;
-      if(part < 50)
-        for(const Fifty& margin : margins(now, mode))
-          last.margin = std::min(last.margin, margin);
-    }
-    const std::array<Fifty, 3> margin = margins(now, mode);
-    const auto which = static_cast<std::size_t>(std::distance(
-        margin.begin(), std::min_element(margin.begin(), margin.end(),
-                                         [](const Fifty& p, const Fifty& q) { return abs(p) < abs(q); })));
-    for(int i = 0; i < 2; ++i)  // Newton
-    {
-      const Fifty h("1e-20"), here = margins(now, mode)[which];
-      const Fifty correction = -here * h / (margins(in_a_moment(now, mode, h), mode)[which] - here);
-      now = in_a_moment(now, mode, correction);
-      t += correction;
-    }
-    Mode then = Mode::off;
-    if(mode == Mode::rolling && which < 2)
-      then = which == 0 ? Mode::scraping_forwards : Mode::scraping_backwards;
-    else if(mode != Mode::rolling && which == 0)
-    {
-      now.slip = 0;
-      then = without_slip(now);
-    }
-    all.push_back({t, then, now, 1});
+    const Fifty longest = longest_step(now);
+    step = std::min(step, longest);
+    const bool to_the_end = t + step >= end;
+    if(to_the_end)
+      step = end - t;
+    const State<Fifty> there = after(now, mode, step);
+    if(may(now, there, mode, step))
+      now = there, t = to_the_end ? end : t + step;
+    else
+      comes = true;
+    step *= comes ? Fifty(0.5) : Fifty(2);
+    if(!comes || step > longest / 128)
+      continue;
+    const std::optional<Stretch> changed = next(now, mode, 2 * step);
+    if(!changed && step < longest * Fifty("1e-15"))
+      throw std::runtime_error("two changes are too near to each other for the judge");
+    if(!changed)
+      continue;
+    now = changed->start, mode = changed->mode, t += changed->from;
+    all.push_back({t, mode, now});
+    step = longest / 8;
+    comes = false;
   }
   return all;
 }

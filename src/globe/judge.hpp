@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "exact/ode.hpp"
@@ -17,20 +18,18 @@ struct Stretch
   exact::Fifty from;          ///< when it begins
   Mode mode;                  ///< what the ball does
   State<exact::Fifty> start;  ///< the state in which it begins
-  exact::Fifty margin;        ///< the least of Judge::margins() up to the next change; of the last, 1
 };
 
 /// The stretch in which the time t ≥ 0 lies; `motion` as Judge::stretches() gives it.
 const Stretch& stretch_at(const std::vector<Stretch>& motion, const exact::Fifty& t);
 
-/// Newton's equations with friction. It is told when the ball changes what it does, but not to what; it puts the
-/// times right, and looks in between whether the ball may do what it is taken to do: at seven places of every stretch,
-/// and between two of them by the cubic that has the values and the slopes of what must be positive. Since the
-/// equations have one solution only, a motion that passes is the true one: a change that is made and undone in between
-/// is a dip, and the cubic shows it.
+/// Newton's equations with friction. Of a motion it is told the start alone. It goes on by steps, half of the time in
+/// which the ball turns by a radian or would swing, and looks at the end of each whether the ball may do what it is
+/// taken to do, and in between by the cubic that has the values and the slopes of what must be positive: so a change
+/// that is made and undone within a step is seen, too. Where it may not, there is a change, which it finds by halving
+/// the step and at last by Newton's method.
 ///
-/// Source: accelerations() and rolling_accelerations() of G, integrated by exact::solve(); the times of the changes by
-/// two steps of Newton's method. Good to 18 digits where the times told are to 11.
+/// Source: accelerations() and rolling_accelerations() of G, integrated by exact::solve(). Good to 17 digits.
 class Judge
 {
 public:
@@ -40,8 +39,10 @@ public:
   {
   }
 
-  /// The motion from a state at t = 0 through changes at the times told, which rise: one stretch more than these.
-  std::vector<Stretch> stretches(const State<exact::Fifty>& start, const std::vector<double>& told) const;
+  /// The motion from a state at t = 0 to a given time, or till the ball is off the plane or so many changes have
+  /// happened. Throws std::runtime_error where two changes lie nearer to each other than it can tell apart.
+  std::vector<Stretch> stretches(const State<exact::Fifty>& start, const exact::Fifty& end,
+                                 std::size_t most_changes = 1000) const;
 
   /// The state so long after another, or before it; the ball does the same all the while.
   State<exact::Fifty> after(const State<exact::Fifty>& from, Mode mode, const exact::Fifty& time) const;
@@ -61,8 +62,10 @@ private:
   State<exact::Fifty> in_a_moment(const State<exact::Fifty>& from, Mode mode,
                                   const exact::Fifty& time) const;
   Mode without_slip(const State<exact::Fifty>& at) const;
-  exact::Fifty least_between(const State<exact::Fifty>& from, const State<exact::Fifty>& to, Mode mode,
-                             const exact::Fifty& time) const;
+  bool may(const State<exact::Fifty>& from, const State<exact::Fifty>& to, Mode mode,
+           const exact::Fifty& time) const;
+  exact::Fifty longest_step(const State<exact::Fifty>& at) const;
+  std::optional<Stretch> next(const State<exact::Fifty>& now, Mode mode, const exact::Fifty& soon) const;
   exact::State of_G(const State<exact::Fifty>& at) const;
   State<exact::Fifty> of_contact(const exact::State& G, Mode mode) const;
 
