@@ -25,7 +25,7 @@ function map(book, chapter) {
         `</li>`
       );
     const thumbnail = s.figures.length
-      ? `<img src="thumbnails/${s.figures[0]}.svg" alt="" width="128" height="80" loading="lazy">`
+      ? `<img src="thumbnails/${s.figures[0]}.svg" alt="" width="128" height="80">`
       : '';
     const marks = Object.keys(sigla)
       .filter((kind) => s.entries.some((e) => e.kind === kind))

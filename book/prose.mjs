@@ -161,10 +161,11 @@ const guarded = (rule) => (tokens, i, options, page) => {
 };
 const rules = md.renderer.rules;
 rules.math = guarded((token, page) => {
-  const formula = page.mathematics(token.content, false, token.line);
-  const stop = token.meta; // after a short formula it stays on the line
-  const together = stop && token.content.length <= 20;
-  return together ? `<span class="stopped">${formula}${stop}</span>` : formula + (stop && `\u2060${stop}`);
+  const stop = token.meta; // it stays on the line: a short formula is not broken, of a long one it is the end
+  const letters = token.content.replace(/\\[a-z]?frac|\\sqrt/g, '').replace(/\\[a-zA-Z]+/g, 'xx').replace(/[{}^_\s\\]/g, '');
+  const short = letters.length <= 16;
+  const formula = page.mathematics(token.content, false, token.line, short ? '' : stop);
+  return stop && short ? `<span class="stopped">${formula}${stop}</span>` : formula;
 });
 rules.told = guarded((token, page) => page.refer(token.content.replaceAll('\\|', '|').trim(), token.meta));
 /** A unit behind a told number stays on its line. */
@@ -285,8 +286,8 @@ export class Page {
     return { value, spec, number: sign ? { ...number, suffix: '' } : number };
   }
 
-  /** A formula with told values and signs of the apparatus in it. */
-  mathematics(tex, display, line) {
+  /** A formula with told values and signs of the apparatus in it, and the stop that ends it. */
+  mathematics(tex, display, line, stop = '') {
     const fill = (told, entry) =>
       tex.replace(/\{\{([^{}]+)\}\}(?=(°|\^\\circ|(?:\\,)?\\%)?)/g, (all, what, sign, at) => {
         try {
@@ -306,7 +307,7 @@ export class Page {
     );
     const plain = fill(({ number }) => `{${asTeX(number)}}`, () => '');
     try {
-      return this.formulas.set(named, display, plain);
+      return this.formulas.set(stop ? `${named}\\text{${stop}}` : named, display, plain + stop);
     } catch (error) {
       if (error.position > 0) error.position = Math.min(error.position, tex.length);
       throw error;

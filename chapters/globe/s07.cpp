@@ -44,7 +44,7 @@ every Φ.
 Held at rest at the angle Φ and let go, the ball begins to turn with
 
 $$ \begin{aligned} \frac{dd\Phi}{dt^2} &= -\frac{2gc\sin\Phi}{kk + cc\sin^2\Phi}
-   &&\text{smooth,}\\[1ex]
+   &&\text{smooth,}\\
    \frac{dd\Phi}{dt^2} &= -\frac{2gc\sin\Phi}{aa+cc+kk - 2ac\cos\Phi} &&\text{rolling;}
    \end{aligned} \tag{B} $$
 

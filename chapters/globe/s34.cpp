@@ -51,7 +51,7 @@ every moment, about a point of its own: always about $C$ when it hangs; about th
 that is plumb over the contact when there is no friction, since $G$ can only rise and sink; about the contact
 when it rolls. With $M_\Phi$ for the moment of inertia about that point, over the weight,
 
-$$ \begin{gathered} M_\Phi\,\frac{d\Phi^2}{dt^2} = 8gc\,(h - \sin^2\tfrac12\Phi), \\[2pt]
+$$ \begin{gathered} M_\Phi\,\frac{d\Phi^2}{dt^2} = 8gc\,(h - \sin^2\tfrac12\Phi), \\
    \begin{aligned} M_\Phi &= cc+kk &&\text{hung up,}\\ M_\Phi &= kk + cc\sin^2\Phi &&\text{smooth,}\\
    M_\Phi &= bb + 4ac\sin^2\tfrac12\Phi &&\text{rolling,} \end{aligned} \end{gathered} \tag{A} $$
 

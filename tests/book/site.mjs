@@ -58,7 +58,8 @@ function judged() {
           if (!document.getElementById(`eq-${number}`)) say(`a figure names a formula (${number}) that the page has not`, word);
   }
   for (const image of document.images)
-    if (!image.complete || !image.naturalWidth) say('an image that did not load', image);
+    if (image.loading === 'lazy') say('an image that is missing in print until it has been seen', image);
+    else if (!image.complete || !image.naturalWidth) say('an image that did not load', image);
   const dots = document.querySelectorAll('.needs circle');
   document.querySelectorAll('.needs li').forEach((li, i) => {
     const [line, dot] = [li, dots[i]].map((e) => e.getBoundingClientRect());
