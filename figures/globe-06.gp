@@ -8,7 +8,7 @@ set xlabel "angle Φ (degrees)"
 set ylabel "pressure over weight, Π/{/:Italic P}"
 set label "scraping forwards" at 80, F[41] offset 1, 0.8 left textcolor linetype 1
 set label "scraping back" at 280, B[141] offset -1, 0.8 right textcolor linetype 2
-set label "smooth" at 90, S[46] offset -0.7, -1 right textcolor linetype 6
+set label "smooth" at 70, S[36] offset 0.6, 0.5 left textcolor linetype 6
 plot file using "Phi_deg":"smooth" with lines linetype 6, \
      file using "Phi_deg":"back" with lines linetype 2, \
      file using "Phi_deg":"on" with lines linetype 1

@@ -12,7 +12,7 @@ right = h0 > 4 ? 4 : (h0 < 1.5 ? 1.5 : h0)
 set xrange [0:right]
 set yrange [0:12]
 set label "{/:Italic c} = 3{/:Italic k}" at h3, t3 left offset 0.7, 0 textcolor linetype 4
-set label "{/:Italic c} = {/:Italic k}" at h1, t1 left offset 0.7, 0 textcolor linetype 3
+set label "{/:Italic c} = {/:Italic k}" at h1, t1 left offset 0.7, 0.7 textcolor linetype 3
 if (h0 > 2) set label "this ball" at right, t0 right offset 0, 2 textcolor linetype 1
 if (h0 <= 2) set label "this ball" at h0, t0 left offset 0.7, 1 textcolor linetype 1
 plot tsv(curves) using "h_3":"quarter_3" with lines linetype 4, \

@@ -5,7 +5,7 @@ lengths = tsv("pendulum-09.lengths")
 array amplitude[4] = ["ζ = 0°", "90°", "150°", "175°"]
 do for [i = 1:4] {
   stats lengths using i + 1 nooutput
-  set label amplitude[i] at 17, 1.02 * STATS_max textcolor linetype 1
+  set label amplitude[i] at 17, 1.02 * STATS_max offset 0, (i == 1 ? -0.3 : i == 2 ? 0.3 : 0) textcolor linetype 1
   if (i == 1) { low = 2 ** floor(log(STATS_min) / log(2)) }  # whole octaves, as g has it
   if (i == 4) { high = 2 ** ceil(log(STATS_max) / log(2)) }
 }
