@@ -70,6 +70,24 @@ how wide the swings are, as long as they are small.
 Today: normal modes and beats; $\varphi$ is eliminated like a mediator between two oscillators in resonance.
 :::
 
+Two things limit the exchange. One lies in the amplitude. A pendulum that swings by $n$ is slower by
+$\frac1{16}nn$ ({{sec balance.04}}), so that the pan with the motion and the pan without are out of tune.
+Weigh this against the coupling, and the exchange is complete only below a certain swing, and takes the longer
+the nearer one is to it:
+
+$$ \begin{gathered} n_c = \sqrt{\frac{32\,|\sigma-\mu|}\mu},\\
+   T_n = T\cdot\frac2\pi K(k), \quad k = \frac{n^2}{n_c^2}, \end{gathered} \tag{E} $$
+
+$K$ being the complete elliptic integral. Beyond $n_c$ the motion stays where it is, and Q never has more than
+$\sqrt{\frac12-\frac12\sqrt{1-1:k^2}}$ of it.
+
+The other lies in the strings. If Q's is the longer by the part $d$, its frequency is lower by about
+$\frac12d\mu$, and two oscillators so far out of tune exchange but a part; of the swing
+
+$$ \frac{1}{\sqrt{1+\delta^2}}, \qquad \delta = \frac{d\mu}{2\,|\sigma-\mu|}, \tag{F} $$
+
+if other motions are left aside. With them it is the sum over the modes of {{api balance::handed_on}}.
+
 ## The program
 
 The modes are {{api balance::modes}}, the times {{api balance::transfer}}; the full equations of (A) and (B)
@@ -191,6 +209,81 @@ TELL
 }
 
 /*!
+Three causes of an exchange are compared, {{api balance::Cause}}, each in the time that theory has for it.
+*/
+
+TELL
+{
+  using namespace causes;
+  auto& rows = table("causes", "The same beam and pans, and three causes",
+                     {{"cause", "cause"},
+                      {"theory", "in theory", seconds, 5},
+                      {"time", "by the full equations", seconds, 3},
+                      {"Q", "Q's swing", percent, 3},
+                      {"P", "P's then", percent, 3}});
+  const auto row = [&rows](const char* name, Cause by) {
+    const Farthest now = passing(by);
+    rows.row({name, theory(by), now.time, now.Q / of_P, now.P / of_P});
+  };
+  row("C can move", Cause::pivot);
+  row("C fixed, the beam swings by 1/6", Cause::beam);
+  row("C fixed, A and B lower by a/10", Cause::ends);
+  tell("held", passing(Cause::none).Q / of_P,
+       "C fixed, A and B in line, the beam at rest: Q's greatest swing until 1.5 T, over P's", 2);
+}
+
+TELL
+{
+  curve("ways", {"t", "Q"}, [](Curve& out) {
+    for(const Cause by : {Cause::pivot, Cause::beam, Cause::ends})
+    {
+      if(by != Cause::pivot)
+        out.block();
+      for(const auto& now : causes::way(by))
+        out.put({now[0], now[1]});
+    }
+  });
+}
+
+/*!
+Last the limits: {{eq E}} and {{eq F}} for the instrument given, and {{eq E}} beside the full equations for a
+beam of a thousand pans' weight.
+*/
+
+TELL
+{
+  const Transfer over = transfer(given());
+  const double mu_ = std::sqrt(2 * g / b);
+  const Trapping swing = trapping(over.splitting, mu_, std::abs(eta));
+  tell("critical", swing.critical, radians, "n_c, beyond which the exchange stops short, (E)");
+  tell("slower", swing.ratio > 1e300 || std::isnan(swing.ratio) ? infinity : swing.ratio,
+       "T_n : T at the start given");
+  tell("trapped", swing.reach, percent, "of P's swing Q then has at most, equal strings, by (E)");
+  const double delta = longer / 200 * mu_ / std::abs(over.splitting);
+  tell("detuned", 1 / std::hypot(1., delta), percent, "of P's swing Q has at most by (F), small swings");
+  tell("handed_on", handed_on(given(), longer / 100), percent, "the same by the four modes", 10);
+}
+
+constexpr Suspended weak{{1, 2, 0.02, 1. / 3, 1, 1000, 16}, 5};  // a beam of a thousand pans' weight
+
+TELL
+{
+  curve("reach", {"r", "Q"}, [](Curve& out) {
+    for(int k = 0; k <= 200; ++k)
+      out.put({0.4 + k / 125., trapping(1. / 32, 1, 0.4 + k / 125.).reach});
+  });
+  curve("reached", {"r", "Q"}, [](Curve& out) {
+    const Transfer over = transfer(weak);
+    const double critical = trapping(over.splitting, 4, 0).critical;
+    for(const double r : {0.5, 0.7, 0.85, 0.95, 1.05, 1.1, 1.2, 1.4, 1.6, 1.9})
+    {
+      const Farthest now = farthest(pans(weak, {{0, 0, r * critical, 0}, {}}), 3 * over.time, causes::look);
+      out.put({r, now.Q / (r * critical)});
+    }
+  });
+}
+
+/*!
 {{table modes}}
 
 {{table motion}}
@@ -228,42 +321,7 @@ pan, what moves the other pan is $C$.
 Besides the moving pivot, two causes were met that Euler either set aside or did not see: ends of the beam
 that do not lie in line with $C$ ({{sec balance.37}}), and, with ends in line and $C$ fixed, the swinging beam
 itself, at the third order ({{sec balance.31}}). In one instrument their times can be compared.
-*/
 
-TELL
-{
-  using namespace causes;
-  auto& rows = table("causes", "The same beam and pans, and three causes",
-                     {{"cause", "cause"},
-                      {"theory", "in theory", seconds, 5},
-                      {"time", "by the full equations", seconds, 3},
-                      {"Q", "Q's swing", percent, 3},
-                      {"P", "P's then", percent, 3}});
-  const auto row = [&rows](const char* name, Cause by) {
-    const Farthest now = passing(by);
-    rows.row({name, theory(by), now.time, now.Q / of_P, now.P / of_P});
-  };
-  row("C can move", Cause::pivot);
-  row("C fixed, the beam swings by 1/6", Cause::beam);
-  row("C fixed, A and B lower by a/10", Cause::ends);
-  tell("held", passing(Cause::none).Q / of_P,
-       "C fixed, A and B in line, the beam at rest: Q's greatest swing until 1.5 T, over P's", 2);
-}
-
-TELL
-{
-  curve("ways", {"t", "Q"}, [](Curve& out) {
-    for(const Cause by : {Cause::pivot, Cause::beam, Cause::ends})
-    {
-      if(by != Cause::pivot)
-        out.block();
-      for(const auto& now : causes::way(by))
-        out.put({now[0], now[1]});
-    }
-  });
-}
-
-/*!
 {{table causes}}
 
 With $C$ held and neither of the two others at work, Q has no more than {{held|2}} of P's swing after the same
@@ -279,60 +337,8 @@ tells. A balance whose swings die down in some minutes shows the first alone.
 
 ### Two limits
 
-One lies in the amplitude. A pendulum that swings by $n$ is slower by $\frac1{16}nn$ ({{sec balance.04}}), so
-that the pan with the motion and the pan without are out of tune. Weigh this against the coupling, and the
-exchange is complete only below a certain swing, and takes the longer the nearer one is to it:
-
-$$ \begin{gathered} n_c = \sqrt{\frac{32\,|\sigma-\mu|}\mu},\\
-   T_n = T\cdot\frac2\pi K(k), \quad k = \frac{n^2}{n_c^2}, \end{gathered} \tag{E} $$
-
-$K$ being the complete elliptic integral. Beyond $n_c$ the motion stays where it is, and Q never has more than
-$\sqrt{\frac12-\frac12\sqrt{1-1:k^2}}$ of it.
-
-The other lies in the strings. If Q's is the longer by the part $d$, its frequency is lower by about
-$\frac12d\mu$, and two oscillators so far out of tune exchange but a part; of the swing
-
-$$ \frac{1}{\sqrt{1+\delta^2}}, \qquad \delta = \frac{d\mu}{2\,|\sigma-\mu|}, \tag{F} $$
-
-if other motions are left aside. With them it is the sum over the modes of {{api balance::handed_on}}.
-*/
-
-TELL
-{
-  const Transfer over = transfer(given());
-  const double mu_ = std::sqrt(2 * g / b);
-  const Trapping swing = trapping(over.splitting, mu_, std::abs(eta));
-  tell("critical", swing.critical, radians, "n_c, beyond which the exchange stops short, (E)");
-  tell("slower", swing.ratio > 1e300 || std::isnan(swing.ratio) ? infinity : swing.ratio,
-       "T_n : T at the start given");
-  tell("trapped", swing.reach, percent, "of P's swing Q then has at most, equal strings, by (E)");
-  const double delta = longer / 200 * mu_ / std::abs(over.splitting);
-  tell("detuned", 1 / std::hypot(1., delta), percent, "of P's swing Q has at most by (F), small swings");
-  tell("handed_on", handed_on(given(), longer / 100), percent, "the same by the four modes", 10);
-}
-
-constexpr Suspended weak{{1, 2, 0.02, 1. / 3, 1, 1000, 16}, 5};  // a beam of a thousand pans' weight
-
-TELL
-{
-  curve("reach", {"r", "Q"}, [](Curve& out) {
-    for(int k = 0; k <= 200; ++k)
-      out.put({0.4 + k / 125., trapping(1. / 32, 1, 0.4 + k / 125.).reach});
-  });
-  curve("reached", {"r", "Q"}, [](Curve& out) {
-    const Transfer over = transfer(weak);
-    const double critical = trapping(over.splitting, 4, 0).critical;
-    for(const double r : {0.5, 0.7, 0.85, 0.95, 1.05, 1.1, 1.2, 1.4, 1.6, 1.9})
-    {
-      const Farthest now = farthest(pans(weak, {{0, 0, r * critical, 0}, {}}), 3 * over.time, causes::look);
-      out.put({r, now.Q / (r * critical)});
-    }
-  });
-}
-
-/*!
-For the instrument given (E) has the limit at {{critical|3}}, where a string would be far above the
-horizontal: it says no more than that swings of some degrees are far below it. With a string of Q longer by
+For the instrument given (E) has the limit at {{critical|3}} of the radius, where swings are small no
+longer: it says no more than that those of some degrees are far below it. With a string of Q longer by
 {{longer}} % Q still has {{handed_on|3}} of P's swing. It is a balance for the purpose: its coupling is
 strong. With a beam of a thousand pans' weight $n_c$ is some thirteen degrees.
 
