@@ -116,7 +116,8 @@ TELL
   const auto which = static_cast<Cheeks>(int(cheeks));
   const auto at = asked_posture(which, ratio, phi0, phi);
   tell("GH", a * GH(at, ratio), metres, "of the centre of oscillation for the axis M, (3)");
-  tell("GZ", a * GZ(at, ratio), metres, "of the place where the force must act, (2)");
+  tell("GZ", a * GZ_on_cheeks<double>(which, ratio, phi0, phi), metres,
+       "of the place where the force must act, (2)");
   tell("nearer", nearer(at, ratio), percent, "by how much GZ is smaller than GH, (A)");
   if(which == Cheeks::cycloids)
   {
@@ -180,14 +181,16 @@ CHECK_THAT(
 {
   for(const Told& now :
       told_at("", "cheeks=3 k=0.3 phi0=45 phi=40", "cheeks=2 a=1e50 k=2e49 phi0=1e-3 phi=1e-4",
-              "cheeks=0 phi0=89 phi=30 k=2", "k=1e-6 a=3 phi0=80 phi=79", "k=1e6 phi0=50 phi=1"))
+              "cheeks=0 phi0=89 phi=30 k=2", "k=1e-6 a=3 phi0=80 phi=79", "k=1e6 phi0=50 phi=1",
+              "k=0.01 phi0=89 phi=60", "k=1e-9 phi0=89"))  // in these Z is near to G
   {
     const Fifty ratio = k.fifty() / a.fifty(), x = phi.fifty();
     const Fifty r = cheeks == 0 ? Fifty(1) : truncated(cheeks - 1, ratio)(cos(x)), H = ratio * ratio / r;
     const Fifty b = arm(cheeks - 1, ratio, phi0.fifty(), x);
     const char* const why = "the library's bound, and the angle's rounding near the end";
     CHECK(now.value("GH", metres) == within_relative(a.fifty() * H, 5e-14, why));
-    CHECK(now.value("GZ", metres) == within(a.fifty() * b, double(a.fifty() * H) * 5e-14, why));
+    CHECK(now.value("GZ", metres)
+          == within(a.fifty() * b, double(a.fifty() * (cheeks == 1 ? b : H)) * 5e-14, why));
     CHECK(now.value("nearer", percent) == within(1 - b / H, 5e-14, why));
   }
   for(const Told& now : told_at("phi0=1e-6 phi=5e-7", "phi0=1e-6 phi=5e-7 k=0.01"))

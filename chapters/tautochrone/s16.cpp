@@ -66,9 +66,10 @@ const auto phi0 = asked_swing(60_deg, cheeks, k, a);
 const auto phi = angle("phi", within_swing(50_deg, phi0), closed(0_deg, 89_deg),
                        "angle of the free part with the vertical");
 
-double moment(const Posture<double>& at, double ratio)  // Pb, (4), over the weight and a
+double moment(Cheeks which, double ratio)  // Pb, (4), over the weight and a
 {
-  return -ratio * ratio * twice_acceleration(at, ratio);
+  return force(on_cheeks<double>(which, ratio, phi0, phi), ratio)
+         * GZ_on_cheeks<double>(which, ratio, phi0, phi);
 }
 
 double pressure(const Posture<double>& at,
@@ -84,8 +85,8 @@ TELL
   const auto at = asked_posture(which, ratio, phi0, phi);
   tell("across", at.sin, "M sin φ, the weight's part across the thread, over the weight");
   tell("P", force(at, ratio), "that of it which moves G, (3), over the weight");
-  tell("R", moment(at, ratio) / at.r, "and that which is borne at M, (A), over the weight");
-  tell("Pb", a * moment(at, ratio), metres, "the moment of P about G, (4), over the weight");
+  tell("R", moment(which, ratio) / at.r, "and that which is borne at M, (A), over the weight");
+  tell("Pb", a * moment(which, ratio), metres, "the moment of P about G, (4), over the weight");
   tell("tension", tension(at, ratio), "the pull along the thread, over the weight");
   if(phi > 0 && which != Cheeks::none)
     tell("pressure", pressure(at, ratio) / a, Unit{"1/m"},
@@ -145,7 +146,8 @@ CHECK_THAT("P, its moment and what is borne at M are those that the acceleration
 {
   for(const Told& now :
       told_at("", "cheeks=3 k=0.3 phi0=45 phi=40", "cheeks=2 a=1e50 k=2e49 phi0=1e-3 phi=1e-4",
-              "cheeks=0 phi0=89 phi=30 k=2", "k=1e-6 a=3 phi0=80 phi=79", "phi0=89 phi=88.9 k=0.02"))
+              "cheeks=0 phi0=89 phi=30 k=2", "k=1e-6 a=3 phi0=80 phi=79", "phi0=89 phi=88.9 k=0.02",
+              "k=0.01 phi0=89 phi=60", "k=1e-9 phi0=89 phi=30"))  // in these Z is near to G
   {
     const Fifty ratio = k.fifty() / a.fifty(), kk = ratio * ratio, x = phi.fifty(), s = sin(x);
     const auto radius = radius_on(cheeks, ratio);
@@ -155,10 +157,11 @@ CHECK_THAT("P, its moment and what is borne at M are those that the acceleration
     CHECK(now.value("across") == within_relative(s, 1e-15, "a sine"));
     CHECK(now.value("P") == within_relative(-of.across, 5e-14, why));
     CHECK(now.value("R") == within(s + of.across, 5e-14 * double(s), "what is left of the weight across"));
+    const Fifty moment_ = -kk * of.turning, of_itself = cheeks == 1 ? moment_ : Fifty(r * s);
     CHECK(now.value("R")
-          == within(-kk * of.turning / r, 5e-14 * double(s), "the moment that turns the body"));
+          == within(moment_ / r, 5e-14 * double(of_itself / r), "the moment that turns the body"));
     CHECK(now.value("Pb", metres)
-          == within(-a.fifty() * kk * of.turning, 5e-14 * double(a.fifty() * r * s), why));
+          == within(a.fifty() * moment_, 5e-14 * double(a.fifty() * of_itself), why));
     CHECK(now.value("tension") == within_relative(cos(x) + of.along, 5e-14, why));
     if(cheeks != 0)
       CHECK(now.value("pressure", Unit{"1/m"})

@@ -67,7 +67,7 @@ Real GH(const Posture<Real>& at, const Real& k)
 }
 
 /// GZ, where the force P must attack (§15), on any cheek; in the lowest point its limit. It loses digits
-/// where Z comes near to G; on cycloids cycloidal_GZ() does not.
+/// where Z comes near to G; on cycloids cycloidal_GZ() does not, see GZ_on_cheeks().
 template <class Real>
 Real GZ(const Posture<Real>& at, const Real& k)
 {
@@ -168,6 +168,14 @@ Real cycloidal_GZ(const Real& k, const Real& phi0, const Real& phi)
   using std::cos, std::sin;
   const Real kk = k * k, c = cos(phi), cc = c * c, c0 = cos(phi0);
   return kk * c * (kk + c0 * c0) / (cc * (kk + cc) + kk * sin(phi0 - phi) * sin(phi0 + phi));
+}
+
+/// GZ on a swing out to φ₀, whatever leads the thread: cycloidal_GZ() between cycloids, elsewhere GZ(). Domain: that of
+/// on_cheeks().
+template <class Real>
+Real GZ_on_cheeks(Cheeks cheeks, const Real& k, const Real& phi0, const Real& phi)
+{
+  return cheeks == Cheeks::cycloids ? cycloidal_GZ(k, phi0, phi) : GZ(on_cheeks(cheeks, k, phi0, phi), k);
 }
 
 /// M on Huygens's cheek and G on its involute, to the right of A and below it, for a = 1.
