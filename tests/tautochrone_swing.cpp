@@ -516,11 +516,21 @@ TEST_CASE("where a swing is at a time: as its equation of motion says, wide and 
     std::vector<Fifty> times;
     for(const double part : {1e-9, 0.13, 0.499, 0.5, 0.87, 1.0, 1.7, 2.0, 3.3})
       times.emplace_back(part * swing.time());
-    const std::vector<Fifty> angles = angles_by_motion(r, k, phi0, times);
+    const std::vector<On_curve> places = places_by_motion(r, k, phi0, times);
     for(std::size_t i = 0; i < times.size(); ++i)
       CHECK(swing.angle(static_cast<double>(times[i]))
-            == within(angles[i], 1e-14 * fastest * (1 + static_cast<double>(times[i]) / swing.time()),
+            == within(places[i].phi, 1e-14 * fastest * (1 + static_cast<double>(times[i]) / swing.time()),
                       "the header's"));
+    const On_curve& late = places.back();
+    CHECK(late.r == r(cos(late.phi)));
+    CHECK(late.x
+          == within(
+              integrate([&](const Fifty& at) -> Fifty { return r(cos(at)) * sin(at); }, 0, late.phi).value,
+              1e-16, "the header's"));
+    CHECK(late.y
+          == within(
+              integrate([&](const Fifty& at) -> Fifty { return r(cos(at)) * cos(at); }, 0, late.phi).value,
+              1e-16, "the header's"));
   }
 }
 

@@ -446,8 +446,8 @@ CHECK_THAT("a very small body turns in the lowest place by sin φ₀ : √2 of E
     CHECK(now.value("turning", Unit{"1/s"}) == within(1.796, 0.0005, "four digits"));
   const Fifty start("1.2");
   const std::vector<Fifty> times{Fifty("0.5"), Fifty("1.9"), Fifty("4.3")};
-  const auto angles = angles_by_motion(truncated(0, 0), 0, start, times);
+  const auto places = places_by_motion(truncated(0, 0), 0, start, times);
   for(std::size_t i{0}; i < times.size(); ++i)
-    CHECK(sin(angles[i])
+    CHECK(sin(places[i].phi)
           == within(sin(start) * cos(times[i] / sqrt(Fifty(2))), 1e-15, "the motion's bound"));
 }

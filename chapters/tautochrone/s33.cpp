@@ -354,10 +354,18 @@ CHECK_THAT("the third body is on the exact curve where the cosine of the time ha
     const Fifty T = exact::pi() * sqrt((1 + pow(K.fifty(), 2)) * a.fifty() / (2 * g.fifty()));
     CHECK(now.value("wound_exact")
           == within_relative(1 - highest(K.fifty(), phi0.fifty()), 1e-13, "the library's bound"));
-    for(const auto& frame : now.points("wound", 5))
+    const auto frames = now.points("wound", 23);
+    std::vector<Fifty> swings, angles;
+    for(const auto& frame : frames)
     {
-      const On_curve right =
-          on_highest(K.fifty(), phi0.fifty(), Fifty(frame.at("t")) / T, Fifty(frame.at("exact_phi")));
+      swings.push_back(frame.at("t") / T);
+      angles.emplace_back(frame.at("exact_phi"));
+    }
+    const auto places = on_highest(K.fifty(), phi0.fifty(), swings, angles);
+    for(std::size_t i{0}; i < frames.size(); ++i)
+    {
+      const auto& frame = frames[i];
+      const On_curve& right = places[i];
       const char* const why = "the curve's error below 1e-13, and that the time is rounded";
       CHECK(frame.value("t") == between(0, 6.0001 * T, "six swings"));
       CHECK(frame.value("exact_phi") == within(right.phi, 1e-12, why));

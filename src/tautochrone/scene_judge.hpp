@@ -11,39 +11,13 @@
 #include "tautochrone/series.hpp"
 #include "tautochrone/swing.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace tautochrone
 {
-
-/// A place on a curve whose radius of curvature is r(cos φ), in fifty digits; a = 1.
-struct On_curve
-{
-  exact::Fifty phi;  ///< the angle of the thread, positive to the right
-  exact::Fifty r;    ///< what of the thread is free
-  exact::Fifty x;    ///< the height above the lowest place
-  exact::Fifty y;    ///< how far it is to the right
-};
-
-/// Where a body that swings out to φ₀ is at such times, by its equation of motion and the integrals of the curve. Domain:
-/// that of angles_by_motion().
-inline std::vector<On_curve> places_by_motion(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
-                                              const exact::Fifty& phi0,
-                                              const std::vector<exact::Fifty>& times)
-{
-  using exact::Fifty;
-  const auto up = [&](const Fifty& at) -> Fifty { return r(cos(at)) * sin(at); };
-  const auto aside = [&](const Fifty& at) -> Fifty { return r(cos(at)) * cos(at); };
-  const auto from_lowest = [](const auto& f, const Fifty& phi) {
-    return phi == 0 ? Fifty(0) : exact::integrate(f, 0, phi).value;
-  };
-  std::vector<On_curve> places;
-  for(const Fifty& phi : angles_by_motion(r, k, phi0, times))
-    places.push_back({phi, r(cos(phi)), from_lowest(up, phi), from_lowest(aside, phi)});
-  return places;
-}
 
 /// A frame as it was told, and what it should be.
 struct Judged_frame
@@ -88,40 +62,88 @@ inline std::vector<Judged_frame> judged(const std::vector<edition::ToldRow>& fra
   return result;
 }
 
-/// The place on the highest exact tautochrone, so many swings after the body was let go at φ₀, where the root of the height is a cosine of the
-/// time; found from an angle that is right to 1e-9. Good to 1e-15. Domain: 0.02 ≤ k ≤ 0.9, φ₀ ≤ the end.
-inline On_curve on_highest(const exact::Fifty& k, const exact::Fifty& phi0, const exact::Fifty& swings,
-                           const exact::Fifty& near)
+/// The places on the highest exact tautochrone, so many swings after the body was let go at φ₀, where the root of the
+/// height is a cosine of the time; each found from an angle that is right to 1e-9. Good to 1e-15. Domain: 0.02 ≤ k ≤ 0.9,
+/// φ₀ ≤ the end.
+inline std::vector<On_curve> on_highest(const exact::Fifty& k, const exact::Fifty& phi0,
+                                        const std::vector<exact::Fifty>& swings,
+                                        const std::vector<exact::Fifty>& near)
 {
   using exact::Fifty;
   const Fifty kk = k * k, lowest("1e-9");
-  const auto radius_at = [&](const Fifty& to) { return to > lowest ? highest(k, to) : Fifty(1); };
+  std::vector<On_curve> places(swings.size());
+  const auto falling_angles = [&] {  // which of the places, the highest first
+    std::vector<std::size_t> order(places.size());
+    for(std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i;
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t i, std::size_t j) { return places[i].phi > places[j].phi; });
+    return order;
+  };
+  const auto put_radii = [&] {  // of all places, on one way down
+    std::vector<Fifty> angles;
+    const auto order = falling_angles();
+    for(auto i = order.rbegin(); i != order.rend(); ++i)
+      if(places[*i].phi > lowest)
+        angles.push_back(places[*i].phi);
+    auto radii = highest(k, angles);
+    for(const std::size_t i : order)
+    {
+      const bool low = radii.empty();
+      places[i].r = low ? Fifty(1) : radii.back();
+      if(!low)
+        radii.pop_back();
+    }
+  };
   const auto root = [&](const Fifty& r, const Fifty& to) -> Fifty {  // of the height, by (2) of §25
     return sqrt((1 + kk) / 2 / (kk + r * r)) * r * sin(to);
   };
-  const Fifty cosine_of_t = cos(exact::pi() * swings),
-              wanted = root(highest(k, phi0), phi0) * abs(cosine_of_t);
-  Fifty to = abs(near);
-  const Fifty r = radius_at(to);
-  to -= (root(r, to) - wanted) * sqrt(2 * (1 + kk) / (kk + r * r));
-  if(to > phi0)
-    to = phi0;
-  On_curve place{to, radius_at(to), wanted * wanted, to};
-  const Fifty low("1e-13");
-  if(to > low)  // the breadth is followed down the equation with r
-    place.y = low
-              - exact::solve(
-                    [&](const Fifty& phi, const exact::State& at) -> exact::State {
-                      return {slope<Fifty>(phi, at[0], k), at[0] * cos(phi)};
-                    },
-                    to, {place.r, 0}, low, Fifty("1e-16"))
-                    .y[1];
-  if(cosine_of_t < 0)
+  const Fifty whole = root(highest(k, phi0), phi0);
+  for(std::size_t i = 0; i < places.size(); ++i)
+    places[i].phi = abs(near[i]);
+  put_radii();
+  for(std::size_t i = 0; i < places.size(); ++i)
   {
-    place.phi = -place.phi;
-    place.y = -place.y;
+    On_curve& at = places[i];
+    const Fifty wanted = whole * abs(cos(exact::pi() * swings[i]));
+    at.phi -= (root(at.r, at.phi) - wanted) * sqrt(2 * (1 + kk) / (kk + at.r * at.r));
+    at.phi = std::clamp(at.phi, Fifty(0), phi0);
+    at.x = wanted * wanted;
   }
-  return place;
+  put_radii();
+  // The breadth is followed down the equation with r, by h = 1 − cos φ. Below `low` 1 − r grows as φφ, or is too small
+  // to be seen.
+  const bool smooth = kk < Fifty("0.3");
+  const Fifty low(smooth ? "1e-5" : "1e-13");
+  const auto below = [&](const Fifty& r, const Fifty& to) -> Fifty {
+    return smooth ? to * (1 - (1 - r) / 3 - to * to / 6) : to;
+  };
+  const auto h_of = [](const Fifty& to) -> Fifty { return 2 * pow(sin(to / 2), 2); };
+  const auto order = falling_angles();
+  std::vector<Fifty> heights;
+  for(const std::size_t i : order)
+    if(places[i].phi > low)
+      heights.push_back(h_of(places[i].phi));
+  heights.push_back(h_of(low));
+  const auto down = exact::solve(
+      [&](const Fifty& h, const exact::State& at) -> exact::State {
+        const Fifty u = kk + at[0] * at[0], sine2 = h * (2 - h);
+        return {u * (u - (1 + kk) * at[0] * (1 - h)) / (kk * (1 + kk) * sine2),
+                at[0] * (1 - h) / sqrt(sine2)};
+      },
+      heights.front(), {places[order.front()].r, 0}, heights, Fifty("1e-16"));
+  for(std::size_t j = 0; j < order.size(); ++j)
+  {
+    On_curve& at = places[order[j]];
+    at.y = j + 1 < down.size() ? below(down.back().y[0], low) + down[j].y[1] - down.back().y[1]
+                               : below(at.r, at.phi);
+    if(cos(exact::pi() * swings[order[j]]) < 0)
+    {
+      at.phi = -at.phi;
+      at.y = -at.y;
+    }
+  }
+  return places;
 }
 
 }  // namespace tautochrone

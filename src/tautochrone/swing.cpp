@@ -1,6 +1,7 @@
 #include "tautochrone/swing.hpp"
 
 #include "exact/ode.hpp"
+#include "exact/quadrature.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -82,25 +83,39 @@ Fifty turning2_by_motion(const Fifty& k, const Fifty& phi0, const Fifty& phi)
   return turning2_by_motion(exact::Laurent<Fifty>(Fifty(1), 1), k, phi0, phi);
 }
 
-std::vector<Fifty> angles_by_motion(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& phi0,
-                                    const std::vector<Fifty>& times)
+std::vector<On_curve> places_by_motion(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& phi0,
+                                       const std::vector<Fifty>& times)
 {
   if(!(k >= 0 && k <= Fifty("1e20") && phi0 > 0 && phi0 < exact::pi() / 2))
-    throw std::domain_error("angles_by_motion: a k from 0 to 1e20 and 0 < φ₀ < ½π are needed");
+    throw std::domain_error("places_by_motion: a k from 0 to 1e20 and 0 < φ₀ < ½π are needed");
   const exact::Laurent<Fifty> dr = derivative(r);  // with respect to cos φ
-  // Followed are φ/φ₀ and its velocity in the time √(2(1 + kk)), so that both are of the size of one.
-  const Fifty unit = sqrt(2 * (1 + k * k));
-  const auto motion = [&](const Fifty&, const exact::State& y) -> exact::State {
-    const Fifty s = sin(phi0 * y[0]), c = cos(phi0 * y[0]), w = phi0 * y[1] / unit, radius = r(c);
-    return {y[1],
-            unit * unit / phi0 * s * radius * (dr(c) * w * w - Fifty(0.5)) / (k * k + radius * radius)};
+  // Followed are φ/φ₀ and its velocity in the time √(2(1 + kk)), x/φ₀φ₀ and y/φ₀: all are of the size of one. Sine and
+  // cosine go along with them, which is quicker than to find them anew.
+  const Fifty
+      unit = sqrt(2 * (1 + k * k)),
+      x = exact::integrate([&](const Fifty&phi) -> Fifty { return r(cos(phi)) * sin(phi); }, 0, phi0).value,
+      y = exact::integrate([&](const Fifty&phi) -> Fifty { return r(cos(phi)) * cos(phi); }, 0, phi0).value;
+  const auto motion = [&](const Fifty&, const exact::State& at) -> exact::State {
+    const Fifty &velocity = at[1], &s = at[4], &c = at[5], radius = r(c), w = phi0 * velocity / unit;
+    const Fifty turning = phi0 * velocity;
+    return {velocity,
+            unit * unit / phi0 * s * radius * (dr(c) * w * w - Fifty(0.5)) / (k * k + radius * radius),
+            radius * s * velocity / phi0,
+            radius * c * velocity,
+            c * turning,
+            -s * turning};
   };
-  std::vector<Fifty> scaled, angles;
+  std::vector<Fifty> scaled;
   for(const Fifty& t : times)
     scaled.push_back(t / unit);
-  for(const exact::Solution& at : exact::solve(motion, 0, {1, 0}, scaled, Fifty("1e-20")))
-    angles.push_back(at.y[0] * phi0);
-  return angles;
+  std::vector<On_curve> places;
+  for(const exact::Solution& at : exact::solve(
+          motion, 0, {1, 0, x / (phi0 * phi0), y / phi0, sin(phi0), cos(phi0)}, scaled, Fifty("1e-20")))
+  {
+    const Fifty phi = at.y[0] * phi0;
+    places.push_back({phi, r(cos(phi)), at.y[2] * phi0 * phi0, at.y[3] * phi0});
+  }
+  return places;
 }
 
 Accelerations accelerations(const exact::Laurent<Fifty>& r, const Fifty& k, const Fifty& turning2,

@@ -43,15 +43,23 @@ exact::Fifty turning2_by_motion(const exact::Fifty& k, const exact::Fifty& phi0,
 exact::Fifty turning2_by_motion(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
                                 const exact::Fifty& phi0, const exact::Fifty& phi);
 
+/// A place on a curve, a = 1.
+struct On_curve
+{
+  exact::Fifty phi;  ///< the angle of the thread, positive to the right
+  exact::Fifty r;    ///< what of the thread is free
+  exact::Fifty x;    ///< the height above the lowest place
+  exact::Fifty y;    ///< how far it is to the right
+};
+
 /**
- * φ of a body that is let go at rest at φ₀ on any such curve, at times after that, which must grow, by
- * following its equation of motion (kk + rr)φ" + rr'φ'φ' = −½r sin φ; a = 1, Euler's clock. The error grows
- * with every swing, below 1e-16 φ₀ for some ten.
+ * Where a body is that is let go at rest at φ₀ on any such curve, at times after that, which must grow, by
+ * following its equation of motion (kk + rr)φ" + rr'φ'φ' = −½r sin φ, and with it the curve's integrals of r sin φ
+ * and r cos φ; a = 1, Euler's clock. The error grows with every swing; it is below 1e-16 φ₀ for some ten.
  * @throws std::domain_error unless 0 ≤ k ≤ 1e20 and 0 < φ₀ < ½π
  */
-std::vector<exact::Fifty> angles_by_motion(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
-                                           const exact::Fifty& phi0,
-                                           const std::vector<exact::Fifty>& times);
+std::vector<On_curve> places_by_motion(const exact::Laurent<exact::Fifty>& r, const exact::Fifty& k,
+                                       const exact::Fifty& phi0, const std::vector<exact::Fifty>& times);
 
 /// How a body on a wound thread is accelerated, a = 1 and g = ½; see accelerations().
 struct Accelerations
