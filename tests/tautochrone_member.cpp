@@ -233,6 +233,56 @@ TEST_CASE("many places on one way down are those that are found one by one")
   CHECK_THROWS_AS(along(Member::highest, 1.3, {0.1}), std::domain_error);
 }
 
+TEST_CASE(
+    "64 places of a whole curve are those found one by one, right, and the same bits by every variant")
+{
+  for(const Member member : {Member::highest, Member::widest})
+    for(const double k : {0.02, 0.1, 0.25, 0.3, 0.57, 0.8, 0.99})
+    {
+      const double last = end(member, k).phi, bound = member == Member::highest ? 1e-14 : 1e-13;
+      std::vector<double> angles;
+      for(int i = 1; i <= 64; ++i)
+        angles.push_back(0.9999 * last * i / 64);
+      const auto places = along(member, k, angles);
+      for(std::size_t i = 0; i < places.size(); ++i)
+      {
+        const Position alone = at(member, k, angles[i]);
+        CHECK(places[i].phi == angles[i]);
+        CHECK(places[i].r == within_relative(alone.r, 2 * bound, "the header's, of both"));
+        CHECK(places[i].x == within_relative(alone.x, 2 * bound, "the same"));
+        CHECK(places[i].s == within_relative(alone.s, 2 * bound, "the same"));
+      }
+      if(k > 0.25)  // below, fifty digits take their time
+      {
+        const std::size_t some[]{2, 11, 35, 62};
+        std::vector<Fifty> exactly;
+        for(const std::size_t i : some)
+          exactly.emplace_back(angles[i]);
+        const Point tip = widest_end(k);
+        const auto radii =
+            member == Member::highest ? highest(k, exactly) : through(k, tip.phi, tip.r, exactly);
+        for(std::size_t j = 0; j < exactly.size(); ++j)
+        {
+          const Position& now = places[some[j]];
+          CHECK(now.r == within_relative(radii[j], bound, "the header's"));
+          CHECK(now.x == within_relative(height(k, exactly[j], radii[j]), bound, "the header's"));
+          CHECK(now.s == within_relative(1 - radii[j], bound, "the header's"));
+        }
+      }
+      for(int variant = 0; variant < kernels::variants().count; ++variant)
+      {
+        const auto same =
+            along(member, k, angles, kernels::variants().find[static_cast<std::size_t>(variant)]);
+        for(std::size_t i = 0; i < places.size(); ++i)
+        {
+          CHECK(same[i].r == places[i].r);
+          CHECK(same[i].x == places[i].x);
+          CHECK(same[i].s == places[i].s);
+        }
+      }
+    }
+}
+
 TEST_CASE("arc, breadth and cheek of the highest curve; the height again as an integral")
 {
   const double forty = 40 * std::numbers::pi / 180;

@@ -235,8 +235,9 @@ $$ \begin{aligned} \dot H &= Z^2, \qquad \dot Y = \varepsilon Z, \\
   \dot Z &= (1-H)Z - \varepsilon Y, \qquad \varepsilon = \frac k{1+kk} \end{aligned} \tag{D} $$
 
 for $a = 1$, of products alone. By $Y$ instead of the time only one equation is left: a power series of 24
-terms costs little more than two sums of squares a term, and carries far; and as errors die, it need not be so
-good in the beginning. The second race is for the whole curve, $r$ at 64 angles.
+terms, or 32, costs little more than two sums of squares a term, and carries far; and as errors die, it need
+not be so good in the beginning. Of many places those that lie in one step are found together. The second race
+is for the whole curve, $r$ at 64 angles.
 */
 
 constexpr int places = 64;

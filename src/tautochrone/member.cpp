@@ -2,11 +2,13 @@
 
 #include "elementary/circular.hpp"
 #include "tautochrone/euler.hpp"
+#include "tautochrone/kernels.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -20,7 +22,7 @@ namespace
 
 using std::size_t;
 
-constexpr size_t order = 24, few = 16;
+constexpr size_t few = 16, order = 24, most = kernels::last_power;
 /// Two numbers that go through the same sums, on every processor in the same order.
 typedef double Two __attribute__((vector_size(16)));
 
@@ -45,7 +47,7 @@ double binary_logarithm(double x)
   const int exponent = exponent_of(x * std::numbers::sqrt2);
   const double part = x * elementary::from_bits<double>(static_cast<std::uint64_t>(1023 - exponent) << 52),
                s = (part - 1) / (part + 1), ss = s * s;
-  return exponent + 2 * std::numbers::log2e * s * (1 + ss * (1. / 3 + ss / 5));
+  return exponent + 2 * std::numbers::log2e * s * (1 + ss * (1. / 3 + ss * (1. / 5)));
 }
 
 // 2 to the power x, to 1e-4 of itself.
@@ -54,23 +56,23 @@ double power_of_two(double x)
   const int whole = static_cast<int>(std::clamp(x, -1000.0, 1000.0));
   const double g = (x - whole) * std::numbers::ln2;
   return elementary::from_bits<double>(static_cast<std::uint64_t>(1023 + whole) << 52)
-         * (1 + g * (1 + g / 2 * (1 + g / 3 * (1 + g / 4 * (1 + g / 5)))));
+         * ((1 + g) + g * g * ((1. / 2 + g * (1. / 6)) + g * g * (1. / 24 + g * (1. / 120))));
 }
 
 // An angle that is looked for.
 struct Aim
 {
-  double phi, chord, H, cosine;  ///< the chord is 2 sin ½φ, H is 1 − cos φ
-
-  double sine() const { return chord * std::sqrt(1 - H / 2); }
+  double phi, chord, H, cosine, sine;  ///< the chord is 2 sin ½φ, H is 1 − cos φ
 };
 
 Aim aim_at(double phi)
 {
-  // Below ¼π nothing is taken from the angle: then the swift sine errs by an ulp of itself.
-  const double chord = phi < 1e-9 ? phi : 2 * elementary::circular::swift_sincos(phi / 2).sine;
-  const double H = chord * chord / 2;
-  return {phi, chord, H, H < 0.4 ? 1 - H : elementary::cos(phi)};
+  // Of the angle itself nothing is taken away below ½π, or at once: then the swift sine errs by an ulp of itself.
+  const auto half = elementary::circular::swift_sincos(phi / 2);
+  const double chord = phi < 1e-9 ? phi : 2 * half.sine,
+               H = chord * chord / 2;  // half of 5e-324 is nothing
+  return {phi, chord, H, H < 0.4 ? 1 - H : elementary::circular::swift_sincos(phi).cosine,
+          chord * half.cosine};
 }
 
 // A place from which the flow begins: the sine and cosine of its angle, r, and s = 1 − r.
@@ -134,6 +136,7 @@ public:
                           u2 * per_z, QQ * per_z * z1 / 2, Two{QQ * per_z, per_z}};
     terms<3, few>(factors, u2, u1, 0);
     per_Y_ = 1 / Y_;
+    end_.reset();
     found_ = {0, 0, u_};
     // Not longer than the series is good for, than it is stable for, and than Y keeps two fifths of itself.
     const double r = k_ * per_z;
@@ -166,7 +169,15 @@ public:
     }
     order_ = order;
     terms<few + 1, order>(factors, terms_[few][1], terms_[few - 1][1], terms_[few - 2][1]);
-    length_ = std::min(length_, good_for(bits));
+    const double stable = length_;
+    length_ = std::min(stable, good_for(bits));
+    // Some terms more cost less than one step more.
+    if(length_ < stable && (only == nullptr || -goal(*only) * per_z > 0.9 * length_))
+    {
+      order_ = most;
+      terms<order + 1, most>(factors, terms_[order][1], terms_[order - 1][1], terms_[order - 2][1]);
+      length_ = std::min(stable, good_for(bits));
+    }
   }
 
   double length() const { return length_; }
@@ -175,15 +186,14 @@ public:
   // Down to the end of the step, unless this angle is above it.
   bool go_above(const Aim& aim)
   {
-    const Two end = value(-length_);
-    if(end[0] <= goal(aim))
+    if(end()[0] <= goal(aim))
       return false;
-    go(-length_, end);
+    go();
     return true;
   }
 
   // Down to the end of the step.
-  void go() { go(-length_, value(-length_)); }
+  void go() { go(-length_, end()); }
 
   // Where in the present step this angle is, which must lie in it.
   Position place_of(const Aim& aim) const
@@ -245,9 +255,44 @@ public:
     return here ? *here : place_of(aim);
   }
 
+  // The present step for the loops that look for many places in it.
+  kernels::Step step()
+  {
+    kernels::Step it{};
+    std::memcpy(it.terms, terms_, (order_ + 1) * sizeof *it.terms);
+    it.k = k_;
+    it.kk = kk_;
+    it.eps = eps_;
+    it.unit = unit_;
+    it.Y = Y_;
+    it.cosine = cosine_;
+    it.lifted = lifted_;
+    it.length = length_;
+    it.small = 1e-5 * rate_;
+    // The polynomial of the seventh degree whose value and first three slopes are right at both ends.
+    const double q0 = std::sqrt(2 * lifted_), q1 = std::sqrt(2 * (lifted_ + end()[0] / eps_)), D = q1 - q0,
+                 DD = D * D, per_D = 1 / D, per_DD = per_D * per_D;
+    const Slopes upper = slopes(q0, 0, terms_[0]), lower = slopes(q1, -length_, end());
+    const double a = upper.first, b = upper.second / 2, c = upper.third / 6;
+    const double left = -length_ - D * (a + D * (b + D * c)),
+                 first = D * (lower.first - a - D * (2 * b + 3 * D * c)),
+                 second = DD * (lower.second - 2 * b - 6 * D * c) / 2,
+                 third = D * DD * (lower.third / 6 - c);
+    const double powers[] = {a,
+                             b,
+                             c,
+                             (35 * left - 15 * first + 5 * second - third) * per_DD * per_DD,
+                             (-84 * left + 39 * first - 14 * second + 3 * third) * per_DD * per_DD * per_D,
+                             (70 * left - 34 * first + 13 * second - 3 * third) * per_DD * per_DD * per_DD,
+                             (-20 * left + 10 * first - 4 * second + third) * per_DD * per_DD * per_DD
+                                 * per_D};
+    std::copy(std::begin(powers), std::end(powers), it.guess);
+    return it;
+  }
+
   // The chords where the step begins and where it ends.
   double upper_chord() const { return unit_ * (Y_ * std::sqrt(2 * lifted_)); }
-  double lower_chord() const { return unit_ * (Y_ * std::sqrt(2 * (lifted_ + value(-length_)[0] / eps_))); }
+  double lower_chord() { return unit_ * (Y_ * std::sqrt(2 * (lifted_ + end()[0] / eps_))); }
 
 private:
   // What does not change from term to term.
@@ -294,7 +339,7 @@ private:
       }
       const double next = before * (f.a * part - f.b) - rest;
       terms_[n] = Two{before * part, next};
-      if constexpr(n <= order / 2)
+      if constexpr(n <= most / 2)
         weighed_[n] = terms_[n] * f.weights;
       terms<n + 1, last>(f, next, before, second);
     }
@@ -343,11 +388,36 @@ private:
     }
     return (a + tt * c) + t * (b + tt * d);
   }
-  Two value(double t) const { return order_ == few ? sum<few>(t) : sum<order>(t); }
+  Two value(double t) const
+  {
+    return order_ == few ? sum<few>(t) : order_ == order ? sum<order>(t) : sum<most>(t);
+  }
 
   double chord_of(const Aim& aim) const { return aim.chord * (1 / unit_) * per_Y_; }
   double gain() const { return (unit_ * Y_) * (unit_ * Y_); }
   double z_of(double t, double u) const { return k_ * (1 + t) + u; }
+  // w and u at the end of the step.
+  const Two& end()
+  {
+    if(!end_)
+      end_ = value(-length_);
+    return *end_;
+  }
+
+  // The slopes of t at such a w and u by q, which is the root of 2 (lifted + w/ε): z dt = ε q dq.
+  struct Slopes
+  {
+    double first, second, third;
+  };
+  Slopes slopes(double q, double t, const Two& there) const
+  {
+    const double per_z = 1 / z_of(t, there[1]), per_k = 1 / k_, u = there[1];
+    const double lift = gain() / (eps_ * eps_), du = u * per_k * per_z - lift * (eps_ * lifted_ + there[0]),
+                 dz = k_ + du, ddz = (du - u * per_z * dz) * per_k * per_z - lift * z_of(t, u);
+    const double first = eps_ * q * per_z, second = (eps_ - first * first * dz) * per_z;
+    return {first, second, -first * (3 * second * dz + first * first * ddz) * per_z};
+  }
+
   // H/YY at the beginning of the step.
   double height() const { return (1 + (k_ + u_) * (k_ + u_)) / (1 + cosine_); }
 
@@ -391,8 +461,9 @@ private:
   double rate_ = 0;  // Y falls so in the time of the flow
   double length_ = 0, per_Y_ = 1;
   size_t order_ = order;
+  std::optional<Two> end_;
   Found found_{};
-  Two terms_[order + 1], weighed_[order / 2 + 1];
+  Two terms_[most + 1], weighed_[most / 2 + 1];
 };
 
 // From a place down to the angle.
@@ -401,7 +472,7 @@ Position followed(double k, const Start& from, const Aim& aim)
   Flow flow(k, from);
   for(;;)
   {
-    flow.expand(aim.sine(), &aim);
+    flow.expand(aim.sine, &aim);
     if(const auto here = flow.landed(aim))
       return *here;
     if(!flow.go_above(aim))
@@ -427,7 +498,7 @@ std::optional<Start> far_above(double k, const Aim& aim, double least)
   for(int i = 0; i < 60; ++i)
   {
     const bool little = m < 0.05;
-    const double sine = aim.sine() * (little ? 1 + m * (1 + m / 2) : power_of_two(m * std::numbers::log2e)),
+    const double sine = aim.sine * (little ? 1 + m * (1 + m / 2) : power_of_two(m * std::numbers::log2e)),
                  more = little ? sine2 * 2 * m * (1 + m * (1 + m * (2. / 3 + m / 3))) : sine * sine - sine2,
                  rest = cosine2 - more, change = (wanted + more / 2 - m) / rest;
     if(!(rest > least))
@@ -441,21 +512,19 @@ std::optional<Start> far_above(double k, const Aim& aim, double least)
 }
 
 // Where the steps down to the angle begin.
-Start begin_for(Member member, double k, const Aim& aim)
+Start begin_for(Member member, double k, const Start& last, const Aim& aim)
 {
   // The widest curve parts from the others high up, where it is not at the larger turning radius.
-  const Start last = last_place(member, k);
   constexpr double cosine2 = 0.8824210936422444;  // of 0.35
   const double least = member == Member::highest ? last.cosine * last.cosine : k <= 0.1 ? cosine2 : 1;
   return far_above(k, aim, least).value_or(last);
 }
 
 // The end, if this angle is not below it but is its angle. @throws as at()
-std::optional<Position> known_end(Member member, double k, const Aim& aim)
+std::optional<Position> known_end(Member member, double k, const Start& last, const Aim& aim)
 {
   const double phi = aim.phi;
-  const Start last = last_place(member, k);
-  if(!(phi >= 0 && phi < 2 && aim.H < last.sine * last.sine / (1 + last.cosine) * (1 - 1e-14)))
+  if(!(phi >= 0 && phi < 2 && aim.H * (1 + last.cosine) < last.sine * last.sine * (1 - 1e-14)))
   {
     const Position there = end(member, k);
     if(!(phi >= 0 && phi <= there.phi))
@@ -499,45 +568,75 @@ Position at(Member member, double k, double phi)
 {
   require_body(k, 1e-9);
   const Aim aim = aim_at(phi);
-  if(const auto here = known_end(member, k, aim))
+  const Start last = last_place(member, k);
+  if(const auto here = known_end(member, k, last, aim))
     return *here;
   if(const auto here = known(member, k, aim))
     return *here;
-  return followed(k, begin_for(member, k, aim), aim);
+  return followed(k, begin_for(member, k, last, aim), aim);
 }
 
 std::vector<Position> along(Member member, double k, const std::vector<double>& angles)
 {
+  const kernels::Variants& variants = kernels::variants();
+  return along(member, k, angles, variants.find[static_cast<size_t>(variants.count - 1)]);
+}
+
+std::vector<Position> along(Member member, double k, const std::vector<double>& angles, kernels::Find find)
+{
   require_body(k, 1e-9);
+  if(std::adjacent_find(angles.begin(), angles.end(),
+                        [](double lower, double upper) { return !(lower < upper); })
+     != angles.end())
+    throw std::domain_error("the angles must grow");
   std::vector<Position> result(angles.size());
-  std::optional<Flow> flow;
+  const Start last = last_place(member, k);
   size_t i = angles.size();
   if(i > 0)
-    if(const auto here = known_end(member, k, aim_at(angles.back())))
+    if(const auto here = known_end(member, k, last, aim_at(angles.back())))
       result[--i] = *here;
-  while(i-- > 0)
+  if(i > 0 && !(angles.front() >= 0))
+    throw std::domain_error("the angles must not be negative");
+  std::optional<Flow> flow;
+  while(i > 0)
   {
-    const Aim aim = aim_at(angles[i]);
-    if(!(aim.phi >= 0 && (i + 1 == angles.size() || aim.phi < angles[i + 1])))
-      throw std::domain_error("the angles must grow");
-    std::optional<Position> here = known(member, k, aim);
-    while(!here)
+    const Aim aim = aim_at(angles[i - 1]);
+    if(const auto here = known(member, k, aim))
     {
-      if(flow)
-        here = flow->landed(aim);
-      if(here)
-        break;
-      const Start from = begin_for(member, k, aim);
-      if(!flow || from.sine < 0.99 * flow->sine())
-        flow.emplace(k, from);
-      else if(!flow->go_above(aim))
-      {
-        here = flow->place(aim);
-        break;
-      }
-      flow->expand(aim.sine());
+      result[--i] = *here;
+      continue;
     }
-    result[i] = *here;
+    const Start from = begin_for(member, k, last, aim);
+    if(!flow || from.sine < 0.99 * flow->sine())
+      flow.emplace(k, from);
+    else
+      flow->go();
+    flow->expand(aim.sine);
+    const double lowest = flow->lower_chord();
+    if(aim.chord < lowest)
+      continue;
+    const kernels::Step step = flow->step();
+    for(bool more = true; more;)
+    {
+      // As many as go through the loops at once; where fewer are left, the last of them repeated.
+      double some[kernels::lanes];
+      kernels::Places places;
+      const size_t n = std::min(i, size_t{kernels::lanes});
+      for(size_t j = 0; j < kernels::lanes; ++j)
+        some[j] = angles[i - std::min(j + 1, n)];
+      find(step, some, places);
+      size_t j = 0;
+      for(; j < n && places.found[j] != 0; ++j)
+        result[--i] = {some[j], places.r[j], places.x[j], places.s[j]};
+      more = i > 0;
+      if(j < n)
+      {
+        const Aim next = aim_at(some[j]);
+        more = next.chord >= lowest;
+        if(more)
+          result[--i] = flow->place(next);
+      }
+    }
   }
   return result;
 }
@@ -583,8 +682,9 @@ std::vector<Drawn> drawn(Member member, double k, const std::vector<double>& ang
     for(size_t i = 0; i < 8; ++i)
     {
       const double chord = middle + half * (i < 4 ? node[i] : -node[7 - i]), H = chord * chord / 2;
-      const double r = flow.place({0, chord, H, 1 - H}).r, w = half * (i < 4 ? weight[i] : weight[7 - i]);
-      const double dz = w * r / std::sqrt(1 - H / 2);
+      const double half_cosine = std::sqrt(1 - H / 2),
+                   r = flow.place({0, chord, H, 1 - H, chord * half_cosine}).r;
+      const double w = half * (i < 4 ? weight[i] : weight[7 - i]), dz = w * r / half_cosine;
       into.z += dz;
       into.y += dz * (1 - H);
       into.x += w * r * chord;

@@ -9,6 +9,8 @@
  * singularity at the lowest point. Followed downwards all its errors die. The height is ½(1 + kk)YY. By Y
  * instead of its time the flow is one equation, whose series has but two sums of squares in each term.
  */
+#include "tautochrone/kernels.hpp"
+
 #include <vector>
 
 namespace tautochrone
@@ -42,7 +44,7 @@ Position end(Member member, double k);
  * those of the widest, where the angle itself is not in question (measured for k from 0.001 to 0.999 and φ
  * from 1e-300 to the end, of the highest near 90° for k from 1e-9).
  *
- * A Taylor series of order 24 at each step. How far above φ the steps must begin, and how good they must be
+ * A Taylor series at each step, of order 16 where the place is near, else 24, and 32 where that is not long enough. How far above φ the steps must begin, and how good they must be
  * there, only the rate tells at which different curves approach each other downwards: for small k the begin is
  * much nearer than the end, and a step that errs high up may be long. The same bits on every machine: no product and
  * sum are fused, and the sines are the edition's; but for k/a below cos²φ/1000, where the highest curve is Euler's
@@ -53,11 +55,14 @@ Position end(Member member, double k);
 Position at(Member member, double k, double phi);
 
 /**
- * The places at several angles, which must grow and lie between 0 and the end: as at() each, but all on one way
- * down.
+ * The places at several angles, which must grow and lie between 0 and the end: with the errors of at() each, but all on
+ * one way down, and those that lie in the same step together: the same bits by every variant of the loops.
  * @throws std::domain_error as at(), and unless the angles grow
  */
 std::vector<Position> along(Member member, double k, const std::vector<double>& angles);
+
+/// The same by a given variant of the loops, for tests and races.
+std::vector<Position> along(Member member, double k, const std::vector<double>& angles, kernels::Find find);
 
 /**
  * The place with the angle φ on the tautochrone that passes through the point (φ₁, r₁), which every point

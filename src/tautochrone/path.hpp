@@ -5,48 +5,12 @@
  * Lengths are in units of a, k is k/a, times in Euler's clock (g = ½).
  */
 #include "exact/series.hpp"
+#include "tautochrone/kernels.hpp"
 
 #include <array>
 
 namespace tautochrone
 {
-
-namespace kernels
-{
-
-/// A curve and an amplitude prepared for the loops: polynomials in c = cos φ and in e = 1/c.
-struct Swing
-{
-  int powers;                  ///< how many coefficients the polynomials in c have
-  int inverse_powers;          ///< how many those in e
-  const double* r;             ///< of c⁰, c, ... in r
-  const double* rise;          ///< of c⁰, c, ... in (x₀ − x)/(c − c₀)
-  const double* r_inverse;     ///< of e, ee, ... in r
-  const double* rise_inverse;  ///< of e, ee, ... in (x₀ − x)/(c − c₀)
-  double c0;                   ///< cos φ₀
-  double uu2;                  ///< 2 sin²½φ₀ = 1 − c₀
-  double kk;                   ///< (k/a)²
-};
-
-/// How many places are summed into one number.
-inline constexpr int lanes = 8;
-
-/// Sums √((kk + rr)/((1 + c)(x₀ − x)/(c − c₀))) over three times eight places with c = c₀ + uu2 cos²α,
-/// where the cos²α are given: one sum for each eight. The additions have the same order in every variant,
-/// so that the bits are the same.
-using Sum = void (*)(const Swing& swing, const double* cos2, double* sums);
-
-/// The variants that this machine can run, the fastest last.
-struct Variants
-{
-  int count = 0;                      ///< how many
-  std::array<Sum, 3> sum{};           ///< the loops
-  std::array<const char*, 3> name{};  ///< "sse2", "avx2", "avx512", or "portable"
-};
-/// Those variants; asked of the machine once.
-const Variants& variants();
-
-}  // namespace kernels
 
 /**
  * A curve whose radius of curvature is a polynomial in cos φ and 1/cos φ, and a body that is led along it.
