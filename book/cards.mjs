@@ -7,14 +7,20 @@ import { formulasIn, texOf } from './tex.mjs';
 
 export const sigla = { erratum: '⁕', emendation: '†', doubtful: '‡', undecided: '◇' };
 
-/** Words of the apparatus: a formula where they are one, and where they have some, these. */
-function words(text, formulas) {
+/** Words of the apparatus: a formula where they are one, and where they have some, these. A stop stays on the line. */
+function words(text, formulas, stop = '') {
   const whole = texOf(text);
   const parts = whole === null ? formulasIn(text) : ['', whole];
   try {
-    return parts.map((part, i) => (i % 2 ? formulas.set(part, false) : escape(part))).join('');
+    const ends = parts.at(-1) === '' ? parts.length - 2 : parts.length - 1;
+    return parts
+      .map((part, i) => [part, i === ends ? stop : '', i % 2])
+      .map(([part, end, formula]) =>
+        formula ? formulas.set(end ? `${part}\\text{${end}}` : part, false, part + end) : escape(part) + end,
+      )
+      .join('');
   } catch {
-    return escape(text); // no formula after all
+    return escape(text) + stop; // no formula after all
   }
 }
 
@@ -37,8 +43,8 @@ export function reading(entry, tried, formulas, { place = '', home = '' }) {
     `<p class="reading"><span class="siglum" aria-hidden="true">${sigla[entry.kind]}</span> ` +
     `<span class="kind">${entry.kind}</span>${home} ` +
     `<span class="where">${where}</span>: ${what} <span class="has">` +
-    `${words(entry.copy, formulas)}</span>, ${against} ` +
-    `<span class="right">${words(entry.right, formulas)}</span>; ${words(entry.because, formulas)}. <span class="proof">` +
+    `${words(entry.copy, formulas, ',')}</span> ${against} ` +
+    `<span class="right">${words(entry.right, formulas, ';')}</span> ${words(entry.because, formulas, '.')} <span class="proof">` +
     `${!tried.passed ? verdict(false) : home ? '' : proof}</span></p>`
   );
 }
