@@ -114,7 +114,7 @@ TELL
 /*!
 When Euler's example begins, all three angles being a sixth of the radius, {{eq 2}} has $P =$ {{P_first|6}}
 and $Q =$ {{Q_first|6}}, a part in 108 less and more than the weight. The strings really pull with {{P|6}} and
-{{Q|6}}. What is left out of $P$, {{P_missing|percent2}}, is more than what is taken in, {{P_moved|percent2}}.
+{{Q|6}}. What is left out of $P$, {{P_missing|percent2}}, outweighs what is taken in, {{P_moved|percent2}}.
 
 ::: figure balance-12
 alt: Three curves of P over one swing of the beam. By the first order a slow wave of one per cent. The exact

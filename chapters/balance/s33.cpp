@@ -71,7 +71,7 @@ TELL
                       second = second_order<Fifty>(r, t.fifty());
   auto& rows =
       table("motion", "Beam and pans in radians",
-            {{"what", "what"}, {"omega", "ω", none, 16}, {"eta", "η", none, 16}, {"theta", "ϑ", none, 16}});
+            {{"what", "what"}, {"omega", "ω", none, 14}, {"eta", "η", none, 14}, {"theta", "ϑ", none, 14}});
   const auto row = [&rows](const char* what, const Angles<Fifty>& x) {
     rows.row({what, double(x.omega), double(x.eta), double(x.theta)});
   };
