@@ -192,7 +192,7 @@ function peers(book) {
   const { engine, races } = JSON.parse(book.read('book/live/peers.json'));
   const row = (unit) => (w) =>
     `<tr><th scope="row">${escape(w.name)}</th><td>${asTime(w.seconds)}</td><td>${w.ratio}</td>` +
-    `<td>${w.error} ${unit}${w.of_k2 ? ` (${w.of_k2} of the rounded kk)` : ''}</td></tr>`;
+    `<td>${w.error === undefined ? '' : `${w.error} ${unit}`}${w.of_k2 ? ` (${w.of_k2} of the rounded kk)` : ''}</td></tr>`;
   return races
     .map(
       ({ quantity, unit, ways }) =>

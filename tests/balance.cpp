@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "balance/motion.hpp"
+#include "balance/systems.hpp"
 #include "edition/compare.hpp"
 
 using namespace balance;
@@ -43,6 +44,25 @@ const std::array<State<Fifty>, 3> scenes{{{{0.1, -0.12, 0.08}, {0.3, -0.2, 0.4}}
                                           {{1.4, -0.2, -0.1}, {-0.4, 1.9, -3.1}}}};
 
 }  // namespace
+
+TEST_CASE("what is integrated are the accelerations, written by the sines and cosines of the three angles")
+{
+  const Balance<Fifty> b{0.9, 9.5, 0.5, 0.3};
+  for(const State<Fifty>& now : scenes)
+  {
+    const std::array<Fifty, 3> v{now.rate.omega, now.rate.eta, now.rate.theta};
+    std::array<elementary::SineCosine<Fifty>, 3> turned;
+    const std::array<Fifty, 3> x{now.at.omega, now.at.eta, now.at.theta};
+    for(std::size_t i = 0; i < x.size(); ++i)
+      turned[i] = {sin(x[i]), cos(x[i])};
+    std::array<Fifty, 3> got;
+    systems::Fixed::accelerations(b, Fifty(0), x.data(), turned.data(), v.data(), got.data());
+    const Angles<Fifty> a = accelerations(b, now);
+    CHECK(got[0] == within_relative(a.omega, 1e-46, "some forty operations, of which few cancel"));
+    CHECK(got[1] == within_relative(a.eta, 1e-46, "as before"));
+    CHECK(got[2] == within_relative(a.theta, 1e-46, "as before"));
+  }
+}
 
 TEST_CASE(
     "the accelerations satisfy Euler's five equations, with the two tensions eliminated in another way")

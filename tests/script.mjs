@@ -46,7 +46,7 @@ test('what is wrong is refused in one line, and nothing is built for it', () => 
   refuses(['book', 'now'], '"now" is too much');
   refuses(['book', 'live', 'now'], '"now" is too much');
   refuses(['test', 'strict', 'now'], '"now" is too much');
-  refuses(['test', 'gcc'], '"gcc"', 'default, strict');
+  refuses(['test', 'gcc'], '"gcc"', 'default, strict, clang');
   refuses(['open', 'it'], '"it" is too much');
   refuses(['list', 'all'], '"all" is too much');
   refuses(['run'], 'which section?');

@@ -204,14 +204,17 @@ struct Example
   Fifty w2, s2;  // (dΦ/dt)² and (c sin Φ)² then
 };
 
-Example example()
+const Example& example()
 {
-  const Ball<Fifty> ball = our_ball<Fifty>;
-  const auto motion = [&](const Fifty&, const exact::State& s) {
-    return exact::State{s[1], accelerations<Fifty>(ball, 1, s[0], s[1], 0).Phi};
-  };
-  const exact::State there = exact::solve(motion, 0, {0, 3}, Fifty("0.2")).y;
-  return {there[1] * there[1], pow(ball.c * sin(there[0]), 2)};
+  static const Example then = [] {
+    const Ball<Fifty> ball = our_ball<Fifty>;
+    const auto motion = [&](const Fifty&, const exact::State& s) {
+      return exact::State{s[1], accelerations<Fifty>(ball, 1, s[0], s[1], 0).Phi};
+    };
+    const exact::State there = exact::solve(motion, 0, {0, 3}, Fifty("0.2"), Fifty("1e-18")).y;
+    return Example{there[1] * there[1], pow(ball.c * sin(there[0]), 2)};
+  }();
+  return then;
 }
 
 const Emendation bracket{

@@ -290,17 +290,25 @@ Now the readings. Which point goes uniformly is judged by the path of our ball: 
 60°, with $f = 1$, is found by differences of the way $s$ that the equations of motion give.
 */
 
-struct Sixty
+Place<Fifty> sixty()
 {
-  Fifty time, w;
-};
+  return globe::place(Fifty(exact::pi() / 3));
+}
 
-Sixty sixty()
+Fifty second()
 {
-  const Place<Fifty> there = globe::place(Fifty(exact::pi() / 3));
-  const Fifty c_ = our_ball<Fifty>.c, k_ = our_ball<Fifty>.k, second = sqrt(2 * our_g<Fifty> * c_);
-  return {oracle::smooth_time(c_, k_, {1, 0}, there) / second,
-          Fifty(second * sqrt(smooth::velocity_squared<Fifty>(c_, k_, {1, 0}, there)))};
+  return sqrt(2 * our_g<Fifty> * our_ball<Fifty>.c);
+}
+
+Fifty time_to_sixty()
+{
+  return oracle::smooth_time(our_ball<Fifty>.c, our_ball<Fifty>.k, {1, 0}, sixty()) / second();
+}
+
+Fifty w_at_sixty()
+{
+  return second()
+         * sqrt(smooth::velocity_squared<Fifty>(our_ball<Fifty>.c, our_ball<Fifty>.k, {1, 0}, sixty()));
 }
 
 Fifty way(const Fifty& t)  // s = x + c sin Φ, with f = 1
@@ -317,10 +325,10 @@ Fifty way(const Fifty& t)  // s = x + c sin Φ, with f = 1
 const Erratum centre{
     "§19, what goes uniformly",
     {"the centre C of the ball", 1},
-    {"its centre of gravity, C going with f + c cos Φ dΦ/dt", double(1 + 0.05 * sixty().w)},
+    {"its centre of gravity, C going with f + c cos Φ dΦ/dt", double(1 + 0.05 * w_at_sixty())},
     "that is the velocity with which the way s grows, and x, which grows as ft, is that of G",
     [](double reading) {
-      const Fifty t = sixty().time, step("1e-9");
+      const Fifty t = time_to_sixty(), step("1e-9");
       return reading
              == within((way(t + step) - way(t - step)) / (2 * step), 1e-12,
                        "the square of the step, and a third derivative below 1e3");
@@ -360,7 +368,7 @@ end, where Φ is 180°, level with it: what was gained is lost again, no more an
 
 CHECK_THAT("what C gained on the first half of its climb it loses on the second")
 {
-  const Fifty t = 16 * sixty().time;
+  const Fifty t = 16 * time_to_sixty();
   const Fifty half = separatrix_time(our_ball<Fifty>.c, our_ball<Fifty>.k, Fifty(exact::pi() / 4))
                      / sqrt(2 * our_g<Fifty> * our_ball<Fifty>.c);
   CHECK(way(half) - half == within(our_ball<Fifty>.c, 1e-28, "c ahead at 90°"));

@@ -9,6 +9,7 @@
 #include <boost/math/special_functions/log1p.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -70,17 +71,90 @@ struct Turned
   int quarters;
 };
 
-// With 600 bits for π: below 1e45 an angle of 168 bits comes no nearer to a multiple of ½π than some 2^-180, so that 2^-600
-// of the angle leave the rest all its digits.
+using Wide = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::et_off>;
+
+// ½π in two parts, of which the first has so few bits that a million times it is exact.
+struct Quarter
+{
+  Real first;
+  Real second;
+};
+const Quarter& quarter_turn()
+{
+  static const Quarter parts = [] {
+    const Wide all = boost::math::constants::half_pi<Wide>();
+    const Wide first = ldexp(floor(ldexp(all, 136)), -136);
+    return Quarter{first.convert_to<Real>(), Wide(all - first).convert_to<Real>()};
+  }();
+  return parts;
+}
+
+// Below a million the first difference is exact, and unless it all but vanishes the rest has all its digits. Else with 600
+// bits for π: below 1e45 an angle of 168 bits comes no nearer to a multiple of ½π than some 2^-180, so that 2^-600 of the
+// angle leave the rest all its digits.
 Turned turned(const Real& x)
 {
-  using Wide = boost::multiprecision::number<
-      boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
-      boost::multiprecision::et_off>;
+  const double about = x.convert_to<double>();
+  if(std::abs(about) < 0x1p20)
+  {
+    const double whole = std::nearbyint(about / boost::math::constants::half_pi<double>());
+    if(whole == 0)
+      return {x, 0};
+    const auto& [first, second] = quarter_turn();
+    const Real rest = (x - whole * first) - whole * second;
+    if(abs(rest) > 0x1p-60)
+      return {rest, static_cast<int>(whole) & 3};
+  }
   static const Wide quarter = boost::math::constants::half_pi<Wide>();
   const Wide whole = floor(Wide(x) / quarter + 0.5);
   const Wide rest = Wide(x) - whole * quarter;
   return {rest.convert_to<Real>(), (whole - 4 * floor(whole / 4)).convert_to<int>()};
+}
+
+struct SineCosine
+{
+  Real sine;
+  Real cosine;
+};
+
+// Up to ¼π, from the nearest multiple of 1/32 by the addition theorem: beyond the power 20 nothing is left of the series for
+// what remains, 1/64 at the most.
+SineCosine sine_and_cosine(const Real& x)
+{
+  static constexpr int parts = 32, nodes = 27, powers = 20;
+  static const auto at_node = [] {
+    std::array<SineCosine, nodes> table;
+    for(int j = 0; j < nodes; ++j)
+      table[static_cast<std::size_t>(j)] = SineCosine{sin(Real(j) / parts), cos(Real(j) / parts)};
+    return table;
+  }();
+  static const auto inverse_factorial = [] {
+    std::array<Real, powers> table;
+    Real factorial = 1;
+    for(int n = 0; n < powers; ++n)
+    {
+      factorial *= std::max(n, 1);
+      table[static_cast<std::size_t>(n)] = (n % 4 < 2 ? 1 : -1) / factorial;
+    }
+    return table;
+  }();
+
+  const double node = std::nearbyint(x.convert_to<double>() * parts);
+  const Real left = x - node / parts, square = left * left;
+  Real sine = 0, cosine = 0;
+  for(std::size_t n = powers; n > 0; n -= 2)
+  {
+    sine = sine * square + inverse_factorial[n - 1];
+    cosine = cosine * square + inverse_factorial[n - 2];
+  }
+  sine *= left;
+  if(node == 0)
+    return {sine, cosine};
+  const SineCosine& at = at_node[static_cast<std::size_t>(std::abs(node))];
+  const Real from = node < 0 ? Real(-at.sine) : at.sine;
+  return {from * cosine + at.cosine * sine, at.cosine * cosine - from * sine};
 }
 
 bool has_sine(const Fifty& x)
@@ -197,7 +271,8 @@ Fifty sin(const Fifty& x)
     return nan();
   }
   const auto [rest, quarters] = turned(real(x));
-  const Real size = quarters % 2 == 0 ? Real(sin(rest)) : Real(cos(rest));
+  const auto [sine, cosine] = sine_and_cosine(rest);
+  const Real& size = quarters % 2 == 0 ? sine : cosine;
   return fifty(quarters < 2 ? size : Real(-size));
 }
 Fifty cos(const Fifty& x)
@@ -207,7 +282,8 @@ Fifty cos(const Fifty& x)
     return nan();
   }
   const auto [rest, quarters] = turned(real(x));
-  const Real size = quarters % 2 == 0 ? Real(cos(rest)) : Real(sin(rest));
+  const auto [sine, cosine] = sine_and_cosine(rest);
+  const Real& size = quarters % 2 == 0 ? cosine : sine;
   return fifty(quarters == 0 || quarters == 3 ? size : Real(-size));
 }
 Fifty tan(const Fifty& x)

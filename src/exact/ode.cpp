@@ -12,15 +12,13 @@ namespace
 
 using std::size_t;
 
-// a + h b
-State along(const State& a, const Fifty& h, const State& b)
+// a += h b
+void go_along(State& a, const Fifty& h, const State& b)
 {
-  State sum = a;
-  for(size_t i = 0; i < sum.size(); ++i)
+  for(size_t i = 0; i < a.size(); ++i)
   {
-    sum[i] += h * b[i];
+    a[i] += h * b[i];
   }
-  return sum;
 }
 
 // The greatest difference, absolute where |y| < 1, else relative.
@@ -80,14 +78,14 @@ State Extrapolation::slope(const Fifty& t, const State& y)
 State Extrapolation::midpoint(const Fifty& t, const State& y, const State& slope0, const Fifty& step,
                               int parts)
 {
-  const Fifty h = step / parts;
+  const Fifty h = step / parts, twice = 2 * h;
   State before = y;
-  State now = along(y, h, slope0);
+  State now = y;
+  go_along(now, h, slope0);
   for(int i = 1; i < parts; ++i)
   {
-    State next = along(before, 2 * h, slope(t + i * h, now));
-    before = std::move(now);
-    now = std::move(next);
+    go_along(before, twice, slope(t + i * h, now));
+    std::swap(before, now);
   }
   return now;
 }

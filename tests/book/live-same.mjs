@@ -1,13 +1,12 @@
 // What the page's modules tell, draw and check is what the programs do, to the last bit: with Euler's numbers for every section,
 // and with three other settings of its parameters; in any order, and twice; and so it is where the C library's fused variants are
 // switched off. Usage: node live-same.mjs BUILD [CHAPTER...] (build/book, beside which lie the programs in bin)
-import { spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
-import readline from 'node:readline';
 import { isDeepStrictEqual } from 'node:util';
 import vm from 'node:vm';
 import { Engine } from '../../book/live/engine.mjs';
+import { Program, differing, placeless } from './program.mjs';
 import { settings } from './settings.mjs';
 
 const [folder, ...chapters] = process.argv.slice(2);
@@ -34,27 +33,7 @@ const engine = (program) => {
 };
 
 // All the sections in one native program, as it is and without the processor's fused operations.
-function native(env) {
-  const child = spawn(path.join(build, '../bin/all-sections'), {
-    stdio: ['pipe', 'pipe', 'inherit'],
-    env: { ...process.env, ...env },
-  });
-  const answers = readline.createInterface({ input: child.stdout })[Symbol.asyncIterator]();
-  return {
-    async ask(...question) {
-      child.stdin.write(`${JSON.stringify(question)}\n`);
-      return JSON.parse((await answers.next()).value);
-    },
-    /** What a section tells, with the data of its figures and of its scenes. */
-    async tell(program, given) {
-      const told = await this.ask('tell', program, given);
-      if (!told.told) return told;
-      const { data } = await this.ask('frames', program, given);
-      return { ...told, data: { ...told.data, ...data } };
-    },
-    end: () => child.stdin.end(),
-  };
-}
+const native = (env) => new Program([path.join(build, '../bin/all-sections')], env);
 const usually = native({});
 const unfused = native({ GLIBC_TUNABLES: 'glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2' });
 
@@ -65,12 +44,6 @@ async function dataThere(program, { told }, given) {
     data[`${program}.${name}.tsv`] = await engine(program).frames(program, name, given);
   return data;
 }
-
-const differing = (a, b) =>
-  Object.keys({ ...a, ...b }).filter((name) => !isDeepStrictEqual(a[name], b[name]));
-
-// Where a claim that takes several lines stands, the two compilers say each in its own way.
-const placeless = (checked) => JSON.parse(JSON.stringify(checked, (key, x) => (key === 'line' ? undefined : x)));
 
 let compared = { told: 0, data: 0, figures: 0, claims: 0, settings: 0, refused: 0 };
 const figuresOf = (program) =>

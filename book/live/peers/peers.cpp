@@ -23,6 +23,11 @@ swing::Motion& motion()
 
 extern "C"
 {
+  /// What a call into the module takes by itself.
+  double peers_given(double x)
+  {
+    return x;
+  }
   double peers_K(double k)
   {
     return swing::K(k);
