@@ -1,6 +1,7 @@
 /// @file Fifty digits and exact fractions: against published constants, against the C library's correctly
 /// rounded reading of decimals, and against each other.
 #include "edition/compare.hpp"
+#include "exact/inside.hpp"
 #include "exact/rational.hpp"
 
 #include <doctest/doctest.h>
@@ -272,6 +273,29 @@ TEST_CASE("a sine knows its angle, far out and beside a multiple of pi")
     const Fifty x = quarters * pi() / 2 + Fifty(0.3);
     CHECK(sin(x) == to_fifty_digits(2 * sin(x / 2) * cos(x / 2)));
     CHECK(cos(x) == to_fifty_digits((cos(x / 2) - sin(x / 2)) * (cos(x / 2) + sin(x / 2))));
+  }
+}
+
+TEST_CASE("sine and cosine are those of three times the digits, between the places of the table and far "
+          "from them")
+{
+  using Wide = boost::multiprecision::number<
+      boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
+      boost::multiprecision::et_off>;
+  std::vector<Fifty> angles{355,           52174, Fifty("1048575.9"), Fifty("1048576.1"), Fifty("1e-30"),
+                            Fifty("-1e-9")};
+  for(int n = -260; n <= 260; ++n)
+  {
+    angles.push_back(Fifty(n) / 64 + Fifty("1e-20"));  // where the nearest place changes
+    angles.push_back(n * pi() / 2
+                     + Fifty(n) * n * Fifty("1e-21"));  // beside quarters, on both sides of 2^-60
+    angles.push_back(Fifty(n) * 1013 + Fifty(1) / 3);
+  }
+  for(const Fifty& x : angles)
+  {
+    const Wide wide(exact::real(x));
+    CHECK(sin(x) == to_fifty_digits(exact::fifty(Wide(sin(wide)).convert_to<exact::Real>())));
+    CHECK(cos(x) == to_fifty_digits(exact::fifty(Wide(cos(wide)).convert_to<exact::Real>())));
   }
 }
 
