@@ -35,9 +35,14 @@ const array = (call, numbers) => (results) => {
   call(input, output, n);
   results.set(ours.HEAPF64.subarray(output / 8, output / 8 + n));
 };
-// A loop of its own for each, as a program has that uses one of them: of one that they share the engine knows less.
-const loop = 'return (results) => { for (let i = 0; i < results.length; i += 1) results[i] = call(numbers[i]); };';
-const each = (call, numbers) => new Function('call', 'numbers', loop)(call, numbers);
+// A loop of its own for each, as a program has that uses one of them: of one that they share, and of one with the same text, the
+// engine knows less.
+let loops = 0;
+const each = (call, numbers) => {
+  loops += 1;
+  const loop = `return function loop${loops}(results) { for (let i = 0; i < ${n}; i += 1) results[i] = call(numbers[i]); };`;
+  return new Function('call', 'numbers', loop)(call, numbers);
+};
 // Until it is called, emscripten's name of a function is one that calls it in a roundabout way.
 const directly = (name, ...given) => (ours[name](...given), ours[name]);
 ours._peers_prepare(zeta);
