@@ -84,7 +84,7 @@ struct Quarter
 const Quarter& quarter_turn()
 {
   static const Quarter parts = [] {
-    const Wide all = boost::math::constants::half_pi<Wide>();
+    const Wide& all = boost::math::constants::half_pi<Wide>();
     const Wide first = ldexp(floor(ldexp(all, 136)), -136);
     return Quarter{first.convert_to<Real>(), Wide(all - first).convert_to<Real>()};
   }();
