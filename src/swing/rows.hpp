@@ -2,9 +2,10 @@
 /// How the generated tables are read: shared by the functions of one number and the loops over arrays,
 /// which so give the same bits.
 ///
-/// A table has 64 rows for each doubling of its argument; the leading bits tell the row. It ends after
-/// eight doublings. Below, the function is a logarithm, whose mantissa has 64 rows too, and a short
-/// polynomial in a small quantity z: λ + z(p₀ + p₁z + … + λ(q₀ + q₁z + …)).
+/// A table has four or eight rows for each doubling of its argument; the leading bits tell the row. It ends
+/// after eight or nine doublings. Below, the function is a logarithm and a short polynomial in a small quantity z:
+/// λ + z(p₀ + p₁z + … + λ(q₀ + q₁z + …)). The tables are small so that they stay in the caches while little
+/// else does: a row serves a wide interval and is a quotient of polynomials.
 #pragma once
 
 #include "swing/bits.hpp"
@@ -18,121 +19,87 @@ namespace swing::rows
 using bits::bits_of;
 using bits::from_bits;
 
-/// x², or what is as good where that is nothing beside 1: numbers that underflow cost much time.
-SWING_INLINE double square_of(double x)
-{
-  const double y = x > 0x1p-100 ? x : 0x1p-100;
-  return y * y;
-}
-
-/// K by 1 − k, down to the last k below 1.
+/// K by k, down to the last k below 1. The row is found by x = 1 − k, and holds k itself; for all k up to ½
+/// there is one, which holds k².
 struct K_by_modulus
 {
-  static constexpr const double* rows = tables::K_rows;               ///< where its logarithm's rows begin
-  static constexpr std::uint64_t first = tables::K_by_modulus_first;  ///< its own first row
-  static constexpr double start = tables::K_by_modulus_start;         ///< where that starts
-  static constexpr double last = 1;                                   ///< where the domain ends
-  static constexpr double halving_hi = tables::ln2_hi;                ///< what a halving of x adds to λ,
-  static constexpr double halving_lo = tables::ln2_lo;                ///< in two parts
-  static constexpr double halvings = 3;                               ///< λ is zero at x = 2 to this
-  static constexpr double scale = 0.5;                                ///< below the table, K = ½(λ + …)
-  static constexpr const auto& plain = tables::K_by_modulus_plain;    ///< the p
-  static constexpr const auto& with_log = tables::K_by_modulus_with_log;  ///< the q
-  static constexpr bool down_to_subnormal = false;  ///< whether x may be as small as that
-  /// z
-  SWING_INLINE static double small_of(double y) { return y; }
+  static constexpr const auto& stored = tables::K_by_modulus;  ///< all that is read
+  static constexpr double start = 0x1p-9;                      ///< the first x that has a row
+  static constexpr double last = 1;                            ///< where the domain ends
+  static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
+  static constexpr std::uint64_t up_to_half = 32;              ///< the row for all k up to ½
+  static constexpr bool squared = false;                       ///< whether z is x²; else it is x
+  static constexpr bool down_to_subnormal = false;             ///< whether x may be as small as that
 };
 
-/// K by kc.
+/// K by x = kc.
 struct K_by_complement
 {
-  static constexpr const double* rows = tables::K_rows;  ///< where its logarithm's rows begin
-  static constexpr std::uint64_t first = tables::K_by_complement_first;  ///< its own first row
-  static constexpr double start = tables::K_by_complement_start;         ///< where that starts
-  static constexpr double last = 1;                                      ///< where the domain ends
-  static constexpr double halving_hi = tables::ln2_hi;                 ///< what a halving of x adds to λ,
-  static constexpr double halving_lo = tables::ln2_lo;                 ///< in two parts
-  static constexpr double halvings = 2;                                ///< λ is zero at x = 2 to this
-  static constexpr double scale = 1;                                   ///< below the table, K = λ + …
-  static constexpr const auto& plain = tables::K_by_complement_plain;  ///< the p
-  static constexpr const auto& with_log = tables::K_by_complement_with_log;  ///< the q
-  static constexpr bool down_to_subnormal = true;  ///< whether x may be as small as that
-  /// z
-  SWING_INLINE static double small_of(double kc) { return square_of(kc); }
+  static constexpr const auto& stored = tables::K_by_complement;  ///< all that is read
+  static constexpr double start = 0x1p-8;                         ///< the first x that has a row
+  static constexpr double last = 1;                               ///< where the domain ends
+  static constexpr unsigned shift = 49;                           ///< of the bits that tell the row
+  static constexpr bool squared = true;                           ///< whether z is x²; else it is x
+  static constexpr bool down_to_subnormal = true;                 ///< whether x may be as small as that
 };
 
-/// T/Θ by η.
+/// T/Θ by x = η.
 struct Ratio_by_eta
 {
-  static constexpr const double* rows = tables::ratio_rows;           ///< where its logarithm's rows begin
-  static constexpr std::uint64_t first = tables::ratio_by_eta_first;  ///< its own first row
-  static constexpr double start = tables::ratio_by_eta_start;         ///< where that starts
-  static constexpr double last = pi_hi;                               ///< where the domain ends
-  static constexpr double halving_hi = tables::ratio_ln2_hi;          ///< what a halving of x adds to λ,
-  static constexpr double halving_lo = tables::ratio_ln2_lo;          ///< in two parts
-  static constexpr double halvings = 3;                               ///< λ is zero at x = 2 to this
-  static constexpr double scale = 1;                                  ///< below the table, T/Θ = λ + …
-  static constexpr const auto& plain = tables::ratio_by_eta_plain;    ///< the p
-  static constexpr const auto& with_log = tables::ratio_by_eta_with_log;  ///< the q
-  static constexpr bool down_to_subnormal = true;  ///< whether x may be as small as that
-  /// z
-  SWING_INLINE static double small_of(double eta) { return square_of(eta); }
+  static constexpr const auto& stored = tables::ratio_by_eta;  ///< all that is read
+  static constexpr double start = 0x1p-7;                      ///< the first x that has a row
+  static constexpr double last = pi_hi;                        ///< where the domain ends
+  static constexpr unsigned shift = 49;                        ///< of the bits that tell the row
+  static constexpr bool squared = true;                        ///< whether z is x²; else it is x
+  static constexpr bool down_to_subnormal = true;              ///< whether x may be as small as that
 };
 
-/// How far the bits of x lie beyond those of the table's start: of the numbers in the table at most
-/// `reach`, of all others more.
-template <class Table>
-SWING_INLINE std::uint64_t beyond_start(double x)
+/// How far the bits of x lie beyond those of the table's start: of the numbers that have a row at most
+/// `reach`, of all others more. Here as in what follows, x is a double or several side by side.
+template <class Table, class Number>
+SWING_INLINE auto beyond_start(Number x)
 {
   return bits_of(x) - __builtin_bit_cast(std::uint64_t, Table::start);
 }
-/// Of the last number in the table.
+/// Of the last number that has a row.
 template <class Table>
 inline constexpr std::uint64_t reach = __builtin_bit_cast(std::uint64_t, Table::last)
                                        - __builtin_bit_cast(std::uint64_t, Table::start);
 
-/// Where the row for x begins, x being in the table.
-template <class Table>
-SWING_INLINE std::uint64_t row_of(double x)
+/// a where all bits of `mask` are set, b where none is: a choice that needs no branch.
+template <class Bits>
+SWING_INLINE Bits chosen(Bits mask, Bits a, Bits b)
 {
-  return ((beyond_start<Table>(x) >> 46) + Table::first) * tables::row_length;
+  return b ^ ((a ^ b) & mask);
 }
 
-/// Where the row of the logarithm begins.
-SWING_INLINE std::uint64_t row_of_mantissa(double x)
+/// A row, and the number whose distance from its centre is asked for.
+template <class Bits, class Number>
+struct Place
 {
-  return ((bits_of(x) >> 46) & 63) * tables::row_length;
-}
-
-/// What the row c adds to its value c[1] at the distance t from its centre c[0].
-template <class Number>
-SWING_INLINE Number beyond_centre(const Number* c, Number t)
-{
-  const Number t2 = t * t;
-  const Number low = c[2] + t * c[3];
-  const Number middle = c[4] + t * c[5];
-  const Number high = c[6] + t * c[7];
-  return t * (low + t2 * (middle + t2 * high));
-}
-
-/// An argument below the table, as a mantissa and a power of two.
-struct Scaled
-{
-  double mantissa;  ///< from 1 to 2
-  double power;     ///< what x was multiplied by
-  double halvings;  ///< how many there are from where λ is zero, a whole number
+  Bits row;  ///< which
+  Number x;  ///< the number
 };
+template <class Bits, class Number>
+Place(Bits, Number) -> Place<Bits, Number>;
 
-/// x > 0 as mantissa and power.
-template <class Table>
-SWING_INLINE Scaled scaled(double x)
+/// The place of an x that has a row.
+template <class Table, class Number>
+SWING_INLINE auto place_of(Number x)
 {
-  constexpr double zero = Table::halvings + (0x1p52 + 1023);
-  const bool tiny = Table::down_to_subnormal && x < 0x1p-1000;  // made normal first
-  const std::uint64_t normal = bits_of(tiny ? x * 0x1p60 : x);
-  const std::uint64_t exponent = normal >> 52;
-  return {from_bits((normal & 0x000fffffffffffff) | 0x3ff0000000000000), from_bits((2046 - exponent) << 52),
-          (tiny ? zero + 60 : zero) - from_bits(exponent | 0x4330000000000000)};
+  return Place{beyond_start<Table>(x) >> Table::shift, x};
+}
+
+/// The place of a modulus, x = 1 − k having a row.
+template <class Number>
+SWING_INLINE auto place_of_modulus(Number k, Number x)
+{
+  using Table = K_by_modulus;
+  constexpr std::uint64_t half = Table::up_to_half << Table::shift;
+  const auto beyond = beyond_start<Table>(x);
+  const auto past_half = 0 - ((beyond - half) >> 63);
+  return Place{chosen(past_half, beyond >> Table::shift, 0 * beyond + Table::up_to_half),
+               from_bits(chosen(past_half, bits_of(k), bits_of(k * k)))};
 }
 
 /// A value as a sum, the second part being small beside the first.
@@ -142,6 +109,67 @@ struct Sum
   Number main;  ///< the leading part
   Number rest;  ///< what is to be added
 };
+
+/// c₀ + c₁t + … of six coefficients, of which each stands `step` behind the one before.
+template <unsigned step, class Number>
+SWING_INLINE Number quintic(const Number* c, Number t)
+{
+  const Number t2 = t * t;
+  return (c[0] + t * c[step]) + t2 * (c[2 * step] + t * c[3 * step])
+         + (t2 * t2) * (c[4 * step] + t * c[5 * step]);
+}
+
+/// What a row adds to its value at the distance t from its centre, of what stands above and below in its
+/// quotient.
+template <class Number>
+SWING_INLINE Number beyond_centre(Number t, Number above, Number below)
+{
+  return (t * above) / below;
+}
+
+/// x² where z is that, or what is as good where that is nothing beside 1: numbers that underflow cost much
+/// time.
+template <class Table, class Number>
+SWING_INLINE Number small_of(Number x)
+{
+  if constexpr(!Table::squared)
+    return x;
+  const Number y = x > 0x1p-100 ? x : Number{} + 0x1p-100;
+  return y * y;
+}
+
+/// An argument below the rows, as a mantissa and a power of two.
+template <class Number>
+struct Scaled
+{
+  Number mantissa;  ///< from 1 to 2
+  Number power;     ///< what x was multiplied by
+  Number halvings;  ///< how many there are from where λ is zero, a whole number
+};
+
+/// x > 0 as mantissa and power.
+template <class Table, class Number>
+SWING_INLINE Scaled<Number> scaled(Number x, double zero)
+{
+  Number normal = x;
+  Number from = Number{} + zero;
+  if constexpr(Table::down_to_subnormal)
+  {
+    normal = x < 0x1p-1000 ? x * 0x1p60 : x;
+    from = x < 0x1p-1000 ? from + 60.0 : from;
+  }
+  const auto b = bits_of(normal);
+  const auto exponent = b >> 52;
+  return {from_bits((b & 0x000fffffffffffff) | 0x3ff0000000000000), from_bits((2046 - exponent) << 52),
+          from - from_bits(exponent | 0x4330000000000000)};
+}
+
+/// Where in the table the centre of the logarithm stands: the mantissa's leading bits tell.
+template <class Number>
+SWING_INLINE auto centre_of(Number mantissa)
+{
+  return (bits_of(mantissa) >> 48) & 14;
+}
 
 /// p₀ + p₁z + …
 template <std::size_t n, class Number>
@@ -153,15 +181,26 @@ SWING_INLINE Number series(const double (&c)[n], Number z)
   return sum;
 }
 
-/// The value below the table, without its scale, from the logarithm of the mantissa; and the value in the
-/// table from its own, with no halvings and z = 0. Where the logarithm is read, the first two products and
-/// sums are exact.
-template <class Table, class Number>
-SWING_INLINE Sum<Number> with_halvings(Number centre, Number beyond, Number halvings, Number z)
+/// Where the logarithm is read.
+template <class Number>
+struct Reading
 {
-  const Number main = halvings * Table::halving_hi + centre;
-  const Number rest = halvings * Table::halving_lo + beyond;
-  return {main, rest + z * (series(Table::plain, z) + (main + rest) * series(Table::with_log, z))};
+  Number value;     ///< what it is at the centre
+  Number distance;  ///< from there
+  Number sum;       ///< of the number and the centre
+};
+
+/// The value below the rows. The first two products and sums are exact.
+template <class Stored, class Number>
+SWING_INLINE Sum<Number> below(const Stored& f, const Reading<Number>& at, Number halvings, Number z)
+{
+  const Number s = at.distance / at.sum;
+  const Number s2 = s * s;
+  const Number beyond =
+      s * ((f.beyond[0] + s2 * f.beyond[1]) + (s2 * s2) * (f.beyond[2] + s2 * f.beyond[3]));
+  const Number main = halvings * f.halving[0] + at.value;
+  const Number rest = halvings * f.halving[1] + beyond;
+  return {main, rest + z * (series(f.plain, z) + (main + rest) * series(f.with_log, z))};
 }
 
 }  // namespace swing::rows

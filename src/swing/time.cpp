@@ -19,7 +19,8 @@ namespace
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// An argument that is exact, and one with what it was rounded by: then the row's distance grows by so much.
+// An argument that is exact, and one with what it was rounded by: then the distance from a row's centre
+// grows by so much.
 struct Exact
 {
   double x;
@@ -32,22 +33,43 @@ struct Inexact
   SWING_INLINE double moved(double distance, double scale) const { return distance + lost * scale; }
 };
 
-// What the table says of x, x being in it.
+// Two numbers side by side: what stands above and below in a row's quotient is computed together.
+using Pair = double __attribute__((vector_size(16)));
+
+SWING_INLINE Pair load_pair(const double* c)
+{
+  Pair pair;
+  __builtin_memcpy(&pair, __builtin_assume_aligned(c, sizeof pair), sizeof pair);
+  return pair;
+}
+
+// What the row at c says at the distance t from its centre.
+SWING_INLINE rows::Sum<double> value_of_row(const double* c, double t)
+{
+  const Pair coefficients[] = {load_pair(c + 2), load_pair(c + 4),  load_pair(c + 6),
+                               load_pair(c + 8), load_pair(c + 10), load_pair(c + 12)};
+  const Pair both = rows::quintic<1>(coefficients, Pair{t, t});
+  return {c[1], rows::beyond_centre(t, both[0], both[1])};
+}
+
+// What the rows say of x, x having one.
 template <class Table, class Argument>
 SWING_INLINE rows::Sum<double> looked_up(Argument a)
 {
-  const double* const c = Table::rows + rows::row_of<Table>(a.x);
-  return {c[1], rows::beyond_centre(c, a.moved(a.x - c[0], 1))};
+  const auto place = rows::place_of<Table>(a.x);
+  const double* const c = Table::stored.rows[place.row];
+  return value_of_row(c, a.moved(place.x - c[0], 1));
 }
 
-// And what the logarithm and its series say of x below the table, but for the scale.
+// And what the logarithm and its series say of x below them.
 template <class Table, class Argument>
 SWING_INLINE rows::Sum<double> below(Argument a)
 {
-  const rows::Scaled s = rows::scaled<Table>(a.x);
-  const double* const c = Table::rows + rows::row_of_mantissa(s.mantissa);
-  return rows::with_halvings<Table>(c[1], rows::beyond_centre(c, a.moved(s.mantissa - c[0], s.power)),
-                                    s.halvings, Table::small_of(a.x));
+  const auto& f = bits::as_stored(Table::stored);
+  const rows::Scaled<double> s = rows::scaled<Table>(a.x, f.zero);
+  const double* const c = f.centres + rows::centre_of(s.mantissa);
+  return rows::below(f, rows::Reading<double>{c[1], a.moved(s.mantissa - c[0], s.power), s.mantissa + c[0]},
+                     s.halvings, rows::small_of<Table>(a.x));
 }
 
 // Infinite at zero, NaN where there is no value.
@@ -56,19 +78,27 @@ double out_of_domain(double x)
   return x == 0 ? inf : nan;
 }
 
-// Of the table's function for any x.
+double rounded(const rows::Sum<double>& sum)
+{
+  return sum.main + sum.rest;
+}
+
+// Of the table's function for any x that has no row.
+template <class Table, class Argument>
+SWING_INLINE double rounded_value_outside(Argument a)
+{
+  if(!(a.x > 0 && bits::bits_of(a.x) < __builtin_bit_cast(std::uint64_t, Table::start)))
+    return out_of_domain(a.x);
+  return rounded(below<Table>(a));
+}
+
+// And for any x.
 template <class Table, class Argument>
 SWING_INLINE double rounded_value(Argument a)
 {
   if(rows::beyond_start<Table>(a.x) <= rows::reach<Table>) [[likely]]
-  {
-    const rows::Sum<double> sum = looked_up<Table>(a);
-    return sum.main + sum.rest;
-  }
-  if(!(a.x > 0 && a.x < Table::start))
-    return out_of_domain(a.x);
-  const rows::Sum<double> sum = below<Table>(a);
-  return (sum.main + sum.rest) * Table::scale;
+    return rounded(looked_up<Table>(a));
+  return rounded_value_outside<Table>(a);
 }
 
 void same_length(std::span<const double> in, std::span<double> out)
@@ -197,9 +227,21 @@ double agm(double a, double b)
   return 0.5 * a + 0.5 * b;
 }
 
+// In 1 − k the one is taken from the row that is read most: where the caches are cold, what lies elsewhere
+// must be fetched too.
 double K(double k)
 {
-  return rounded_value<rows::K_by_modulus>(Exact{1 - bits::magnitude(k)});
+  using Table = rows::K_by_modulus;
+  const auto& f = bits::as_stored(Table::stored);
+  const double modulus = bits::magnitude(k);
+  const double x = f.rows[Table::up_to_half][3] - modulus;
+  if(rows::beyond_start<Table>(x) <= rows::reach<Table>) [[likely]]
+  {
+    const auto place = rows::place_of_modulus(modulus, x);
+    const double* const c = f.rows[place.row];
+    return rounded(value_of_row(c, place.x - c[0]));
+  }
+  return rounded_value_outside<Table>(Exact{x});
 }
 
 double K_from_complement(double kc)
@@ -234,7 +276,8 @@ double ratio_from_bottom(double zeta)
     return nan;
   const double nearly = pi_hi - zeta;
   const double eta = nearly + pi_lo;
-  return rounded_value<rows::Ratio_by_eta>(Inexact{eta, (nearly - eta) + pi_lo});
+  const double lost = (pi_hi - nearly) - zeta;
+  return rounded_value<rows::Ratio_by_eta>(Inexact{eta, (nearly - eta) + (lost + pi_lo)});
 }
 
 double ratio(Amplitude a)

@@ -125,14 +125,15 @@ std::vector<Fifty> through(const std::vector<Fifty>& x, const std::vector<Fifty>
   return c;
 }
 
-Quotient rational(const std::function<Fifty(const Fifty&)>& f, int n, const Fifty& a, const Fifty& b)
+Quotient rational(const std::function<Fifty(const Fifty&)>& f, int n, const Fifty& a, const Fifty& b,
+                  const Fifty& centre)
 {
   // above − f (below − 1) = f, linear in the coefficients.
   std::vector<std::vector<Fifty>> rows;
   std::vector<Fifty> right;
   for(const Fifty& x : tchebychef_points(2 * n + 1, a, b))
   {
-    const Fifty t = x - (a + b) / Fifty(2);
+    const Fifty t = x - centre;
     const Fifty value = f(x);
     std::vector<Fifty> row;
     Fifty power = 1;

@@ -42,8 +42,9 @@ struct Quotient
 };
 
 /// The quotient of polynomials of degree n that agrees with f at 2n + 1 of Tchebychef's points of the
-/// interval from a to b: very nearly the best there. Both are polynomials in x − ½(a + b).
-Quotient rational(const std::function<Fifty(const Fifty&)>& f, int n, const Fifty& a, const Fifty& b);
+/// interval from a to b: very nearly the best there. Both are polynomials in x − centre.
+Quotient rational(const std::function<Fifty(const Fifty&)>& f, int n, const Fifty& a, const Fifty& b,
+                  const Fifty& centre);
 
 /// The value of the polynomial c₀ + c₁x + …
 Fifty value(const std::vector<Fifty>& c, const Fifty& x);

@@ -124,8 +124,8 @@ void write_quotients()
   std::string table;
   Fifty b = 1;
   const auto add = [&](const Fifty& low, const Fifty& high, int n, const auto& f) {
-    const generate::Quotient q = generate::rational(f, n, low, high);
     const Fifty middle = (low + high) / Fifty(2);
+    const generate::Quotient q = generate::rational(f, n, low, high, middle);
     for(const Fifty& x : generate::tchebychef_points(50, low, high))
       worst = std::max(
           worst, abs(generate::value(q.above, x - middle) / generate::value(q.below, x - middle) / f(x)

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -33,15 +33,32 @@ std::FILE* out = nullptr;
 
 constexpr int dense = 600;
 
+// A constant as a double of few digits, so that its product with a small integer is exact, and the rest.
+std::vector<double> parts_of(const Fifty& x, int kept_bits)
+{
+  const int shift = kept_bits - static_cast<int>(std::ceil(std::log2(std::fabs(static_cast<double>(x)))));
+  const double head = kept_bits >= 53
+                          ? static_cast<double>(x)
+                          : std::ldexp(std::nearbyint(std::ldexp(static_cast<double>(x), shift)), -shift);
+  return {head, static_cast<double>(x - Fifty(head))};
+}
+
+void write_constant(const std::string& name, const Fifty& x, int kept_bits)
+{
+  const std::vector<double> parts = parts_of(x, kept_bits);
+  const char* const format = "inline constexpr double %s_hi = %s;\ninline constexpr double %s_lo = %s;\n";
+  std::fprintf(out, format, name.c_str(), hex(parts[0]).c_str(), name.c_str(), hex(parts[1]).c_str());
+}
+
 // Points from a to b, crowded towards both ends, where the extremes of a best approximation crowd too.
 std::vector<Fifty> grid(const Fifty& a, const Fifty& b)
 {
   return generate::tchebychef_points(dense, a, b);
 }
 
-// f(x) = fixed(x) + scale(x)·(c₀ + c₁x² + …), the error relative to f: writes the c.
-void write_even(const std::string& name, const std::string& what, int terms, const Fifty& a, const Fifty& b,
-                const Function& f, const Function& fixed, const Function& scale)
+// f(x) = fixed(x) + scale(x)·(c₀ + c₁x² + …), the error relative to f.
+Fit even_fit(int terms, const Fifty& a, const Fifty& b, const Function& f, const Function& fixed,
+             const Function& scale)
 {
   std::vector<Sample> samples;
   for(const Fifty& x : grid(a, b))
@@ -53,7 +70,14 @@ void write_even(const std::string& name, const std::string& what, int terms, con
     sample.target = (f(x) - fixed(x)) / f(x);
     samples.push_back(std::move(sample));
   }
-  const Fit fit = generate::minimax(samples);
+  return generate::minimax(samples);
+}
+
+// Writes the c.
+void write_even(const std::string& name, const std::string& what, int terms, const Fifty& a, const Fifty& b,
+                const Function& f, const Function& fixed, const Function& scale)
+{
+  const Fit fit = even_fit(terms, a, b, f, fixed, scale);
   write_array(out, name,
               what + "; best for x from " + a.str(6) + " to " + b.str(6) + ", largest relative error "
                   + bits(fit.error),
@@ -104,162 +128,227 @@ void write_excess()
       [](const Fifty&) { return Fifty(0); }, [](const Fifty& x) { return x * x; });
 }
 
-// One row of a table: where its polynomial is centred, and the polynomial.
-struct Row
+// The highest degree of a row's quotient, above and below, and how many numbers a row has: two lines of the
+// cache.
+constexpr int degree = 5;
+constexpr std::size_t row_length = 16;
+
+// (f − f(at))/(x − at) of a polynomial f, by division.
+std::vector<Fifty> slope_of(const std::vector<Fifty>& f, const Fifty& at)
 {
-  double centre;
-  std::vector<double> c;
-  double error;
+  std::vector<Fifty> slope(f.size() - 1);
+  Fifty sum = 0;
+  for(std::size_t j = f.size() - 1; j > 0; --j)
+  {
+    sum = sum * at + f[j];
+    slope[j - 1] = sum;
+  }
+  return slope;
+}
+
+// Where between a and b a monotonic function has a value.
+Fifty place_of(const Function& f, const Fifty& wanted, Fifty a, Fifty b)
+{
+  const bool rises = f(b) > f(a);
+  for(int i = 0; i < 60; ++i)
+  {
+    const Fifty middle = (a + b) / Fifty(2);
+    ((f(middle) < wanted) == rises ? a : b) = middle;
+  }
+  return a;
+}
+
+// A place where a function is known, and what it is there, of both the nearest doubles.
+struct Centre
+{
+  double place;
+  double value;
 };
 
-constexpr int degree = 6;
-
-// The polynomial about a centre where the function is known to have the value given: it interpolates
-// (f(x) − value)/(x − centre).
-Row make_row(const Function& f, const Fifty& a, const Fifty& b, double centre, double value)
+// Where the function is in the middle between its values at the ends, so that least is to be added; moved
+// until the function is very nearly a double: then its value needs no second word.
+Centre centre_of(const Function& f, const Fifty& a, const Fifty& b)
 {
-  std::vector<Fifty> t;
-  std::vector<Fifty> slopes;
-  for(const Fifty& x : generate::tchebychef_points(degree, a, b))
-  {
-    t.push_back(x - Fifty(centre));
-    slopes.push_back((f(x) - Fifty(value)) / t.back());
-  }
-  Row row{centre, rounded(generate::through(t, slopes)), 0};
-  row.c.insert(row.c.begin(), value);
-  const std::vector<Fifty> c(row.c.begin(), row.c.end());
-  for(const Fifty& x : generate::tchebychef_points(9, a, b))
-  {
-    const Fifty exact_value = f(x);
-    const Fifty error = generate::value(c, x - Fifty(centre)) - exact_value;
-    row.error =
-        std::fmax(row.error, static_cast<double>(abs(error) / std::max(Fifty(1), abs(exact_value))));
-  }
-  return row;
-}
-
-// The centre is moved about the middle of the interval until the function there is very nearly a double:
-// then its value needs no second word.
-Row make_row(const Function& f, const Fifty& a, const Fifty& b)
-{
-  const std::vector<Fifty> nodes = generate::tchebychef_points(11, a, b);
-  const Fifty middle = (a + b) / Fifty(2);
-  std::vector<Fifty> values;
-  std::vector<Fifty> shifted;
-  for(const Fifty& x : nodes)
-  {
-    values.push_back(f(x));
-    shifted.push_back(x - middle);
-  }
-  const std::vector<Fifty> fine = generate::through(shifted, values);
+  const Fifty middle = place_of(f, (f(a) + f(b)) / Fifty(2), a, b);
   const Fifty step = (b - a) / Fifty(4096);
-  double best_centre = 0;
-  double best_value = 0;
-  double best = 1;
-  for(int i = 0; i < 300 && best > 1.0 / 128; ++i)
+  Centre best{};
+  double least = 1;
+  for(int i = 0; i < 300 && least > 1.0 / 128; ++i)
   {
-    const double centre = static_cast<double>(middle + step * Fifty(i % 2 == 0 ? i / 2 : -(i + 1) / 2));
-    const Fifty exact_value = generate::value(fine, Fifty(centre) - middle);
+    const double place = static_cast<double>(middle + step * Fifty(i % 2 == 0 ? i / 2 : -(i + 1) / 2));
+    const Fifty exact_value = f(place);
     const double value = static_cast<double>(exact_value);
     const double miss = exact::ulps(value, exact_value);
-    if(miss < best)
+    if(miss < least)
     {
-      best = miss;
-      best_value = value;
-      best_centre = centre;
+      least = miss;
+      best = {place, value};
     }
   }
-  return make_row([&](const Fifty& x) { return generate::value(fine, x - middle); }, a, b, best_centre,
-                  best_value);
+  return best;
 }
 
-// Of scale·ln(1/x): the value is a multiple of 2⁻⁴², so that its sum with a multiple of the doubling's is
-// exact, to 2⁻⁶¹. Neighbouring multiples would all be missed alike, for the middle of a row is a short
-// fraction.
-Row make_logarithm_row(const Fifty& scale, const Fifty& a, const Fifty& b)
+// The quotient that differs from f between a and b by less than `allowed`, of the lowest degree with which
+// one does: with a higher one, zeros below and above would meet to no purpose. Below stays positive.
+generate::Quotient quotient_of(const Function& f, const Fifty& a, const Fifty& b, double centre,
+                               const Fifty& allowed)
 {
-  const auto f = [&](const Fifty& x) { return -scale * log(x); };
-  const double first = std::nearbyint(std::ldexp(static_cast<double>(f((a + b) / Fifty(2))), 42));
-  double best_centre = 0;
-  double best_value = 0;
-  Fifty best = 1;
-  for(int i = 0; i < 2000 && best > ldexp(Fifty(1), -61); ++i)
+  for(int n = 1; n <= degree; ++n)
   {
-    const double value = std::ldexp(first + 100003.0 * (i % 2 == 0 ? i / 2 : -(i + 1) / 2), -42);
-    const double centre = static_cast<double>(exp(Fifty(-value) / scale));
-    const Fifty miss = abs(f(centre) - Fifty(value));
-    if(miss < best)
+    generate::Quotient q = generate::rational(f, n, a, b, centre);
+    bool good = true;
+    for(int i = 0; i <= 100 && good; ++i)
     {
-      best = miss;
-      best_value = value;
-      best_centre = centre;
+      const Fifty x = a + (b - a) * Fifty(i) / Fifty(100);
+      const Fifty t = x - Fifty(centre);
+      const Fifty below = generate::value(q.below, t);
+      good = below > Fifty(0.1) && abs(generate::value(q.above, t) / below - f(x)) < allowed;
     }
+    if(good)
+      return q;
   }
-  return make_row(f, a, b, best_centre, best_value);
+  throw std::runtime_error("no quotient of so low a degree comes so near");
 }
 
-// Rows one after another, and the largest error of them.
+// Rows one after another, and the largest error of them, relative to the function.
 struct Rows
 {
   std::string text;
-  double error = 0;
+  Fifty error = 0;
   int count = 0;
 
-  void add(const Row& row)
+  // The row of f for x from a to b: f(x) = value + t N(t)/D(t) with t = x − centre. The coefficients of N
+  // and D stand in pairs.
+  void add(const Function& f, const Fifty& a, const Fifty& b)
   {
-    error = std::fmax(error, row.error);
-    text += "    " + hex(row.centre) + ",";
-    for(double c : row.c)
-      text += " " + hex(c) + ",";
-    text += "\n";
+    const Fifty middle = (a + b) / Fifty(2);
+    std::vector<Fifty> distances;
+    std::vector<Fifty> values;
+    for(const Fifty& x : generate::tchebychef_points(26, a, b))
+    {
+      distances.push_back(x - middle);
+      values.push_back(f(x));
+    }
+    const std::vector<Fifty> fine = generate::through(distances, values);
+    const Centre centre =
+        centre_of([&](const Fifty& x) { return generate::value(fine, x - middle); }, a, b);
+    const std::vector<Fifty> slope = slope_of(fine, Fifty(centre.place) - middle);
+    const Fifty farthest = std::max(b - Fifty(centre.place), Fifty(centre.place) - a);
+    const generate::Quotient q =
+        quotient_of([&](const Fifty& x) { return generate::value(slope, x - middle); }, a, b, centre.place,
+                    ldexp(Fifty(centre.value), -59) / farthest);
+    std::vector<double> row{centre.place, centre.value};
+    for(std::size_t j = 0; j < q.above.size(); ++j)
+      row.insert(row.end(), {static_cast<double>(q.above[j]), static_cast<double>(q.below[j])});
+    row.resize(row_length);
+    write(row);
+    see_error(row, f, a, b);
+  }
+
+  void see_error(const std::vector<double>& row, const Function& f, const Fifty& a, const Fifty& b)
+  {
+    std::vector<Fifty> above;
+    std::vector<Fifty> below;
+    for(std::size_t j = 2; j < row_length; j += 2)
+    {
+      above.push_back(row[j]);
+      below.push_back(row[j + 1]);
+    }
+    for(const Fifty& x : generate::tchebychef_points(40, a, b))
+    {
+      const Fifty t = x - Fifty(row[0]);
+      const Fifty value = Fifty(row[1]) + t * generate::value(above, t) / generate::value(below, t);
+      error = std::max(error, abs(value / f(x) - Fifty(1)));
+    }
+  }
+
+  void write(const std::vector<double>& row)
+  {
+    text += "     {";
+    for(double c : row)
+      text.append(hex(c)).append(", ");
+    text += "},\n";
     ++count;
   }
 };
 
-// Sixty-four rows for each doubling of x from 2^lowest on, until `last` is in a row. Writes where they
-// begin.
-void add_table(Rows& rows, const std::string& name, const std::string& what, int lowest, double last,
-               const Function& f)
+// So many rows for each doubling of x from 2^lowest on, until `last` is in a row.
+void add_octaves(Rows& rows, const Function& f, int per_octave, int lowest, double last)
 {
-  std::fprintf(out,
-               "\n// %s, from 2^%d to %g.\n"
-               "inline constexpr unsigned %s_first = %d;\n"
-               "inline constexpr double %s_start = 0x1p%d;\n",
-               what.c_str(), lowest, last, name.c_str(), rows.count, name.c_str(), lowest);
   Fifty b = 0;
   for(int i = 0; b <= Fifty(last); ++i)
   {
-    const Fifty octave = ldexp(Fifty(1), lowest + i / 64);
-    const Fifty a = octave * (Fifty(1) + Fifty(i % 64) / Fifty(64));
-    b = octave * (Fifty(1) + Fifty(i % 64 + 1) / Fifty(64));
-    rows.add(make_row(f, a, b));
+    const Fifty octave = ldexp(Fifty(1), lowest + i / per_octave);
+    const Fifty a = octave * (Fifty(1) + Fifty(i % per_octave) / Fifty(per_octave));
+    b = octave * (Fifty(1) + Fifty(i % per_octave + 1) / Fifty(per_octave));
+    rows.add(f, a, b);
   }
 }
 
-// The 64 rows of scale·ln(1/x) for x from 1 to 2.
-void add_logarithm(Rows& rows, const Fifty& scale)
+// The place near the middle of the interval from a to b where scale·ln(1/x) is a multiple of 2⁻⁴², so that
+// its sum with a multiple of the doubling's is exact, to 2⁻⁶¹. Neighbouring multiples would all be missed
+// alike, for the middle is a short fraction.
+Centre logarithm_centre(const Fifty& scale, const Fifty& a, const Fifty& b)
 {
-  for(int i = 0; i < 64; ++i)
-    rows.add(
-        make_logarithm_row(scale, Fifty(1) + Fifty(i) / Fifty(64), Fifty(1) + Fifty(i + 1) / Fifty(64)));
+  const auto f = [&](const Fifty& x) { return -scale * log(x); };
+  const double first = std::nearbyint(std::ldexp(static_cast<double>(f((a + b) / Fifty(2))), 42));
+  Centre best{};
+  Fifty least = 1;
+  for(int i = 0; i < 2000 && least > ldexp(Fifty(1), -61); ++i)
+  {
+    const double value = std::ldexp(first + 100003.0 * (i % 2 == 0 ? i / 2 : -(i + 1) / 2), -42);
+    const double place = static_cast<double>(exp(Fifty(-value) / scale));
+    const Fifty miss = abs(f(place) - Fifty(value));
+    if(miss < least)
+    {
+      least = miss;
+      best = {place, value};
+    }
+  }
+  return best;
 }
 
-void write_rows(const std::string& name, const Rows& rows)
+// Of scale·ln(1/x) for x from 1 to 2 eight centres, each with its value; of s = (x − centre)/(x + centre)
+// what is added, −2 scale artanh s = s(c₀ + c₁s² + …); and what a doubling of x takes off, in two parts.
+struct Logarithm
 {
-  std::fprintf(
-      out,
-      "\n// All of them, and before them 64 rows of the logarithm of 1/x for x from 1 to 2. They are\n"
-      "// interpolated to degree %d about a centre where the value is a double to 1/128 ulp; largest\n"
-      "// error, relative where the function exceeds 1, %s\n"
-      "alignas(64) [[gnu::visibility(\"hidden\")]] inline constexpr double %s_rows[] = {\n%s};\n",
-      degree, bits(Fifty(rows.error)).c_str(), name.c_str(), rows.text.c_str());
+  std::vector<double> centres;
+  std::vector<double> beyond;
+  std::vector<double> halving;
+  Fifty error;  // of what is added, relative to it
+};
+
+Logarithm logarithm(const Fifty& scale)
+{
+  constexpr int pieces = 8;
+  Logarithm l;
+  for(int i = 0; i < pieces; ++i)
+  {
+    const Centre c = logarithm_centre(scale, Fifty(1) + Fifty(i) / Fifty(pieces),
+                                      Fifty(1) + Fifty(i + 1) / Fifty(pieces));
+    l.centres.insert(l.centres.end(), {c.place, c.value});
+  }
+  const Fit fit = even_fit(
+      4, Fifty(1e-6), Fifty(1) / Fifty(33),
+      [&](const Fifty& s) { return scale * log((Fifty(1) - s) / (Fifty(1) + s)); },
+      [](const Fifty&) { return Fifty(0); }, [](const Fifty& s) { return s; });
+  l.beyond = rounded(fit.coefficients);
+  l.error = fit.error;
+  l.halving = parts_of(scale * exact::ln2(), 40);
+  return l;
 }
 
-// Below the table f = λ + z(p₀ + p₁z + … + λ(q₀ + q₁z + …)), where λ is a logarithm and q a power series of
+// Below the rows f = λ + z(p₀ + p₁z + … + λ(q₀ + q₁z + …)), where λ is a logarithm and q a power series of
 // z whose value is known: it is interpolated, and what is left approximated by p.
-void write_below(const std::string& name, const std::string& what, int terms, int log_terms,
-                 const Fifty& last, const Function& f, const Function& log_of, const Function& small_of,
-                 const Function& factor)
+struct Below
+{
+  std::vector<double> plain;
+  std::vector<double> with_log;
+  Fifty error;  // relative to f
+};
+
+Below below(int terms, int log_terms, const Fifty& last, const Function& f, const Function& log_of,
+            const Function& small_of, const Function& factor)
 {
   std::vector<Fifty> z;
   std::vector<Fifty> q;
@@ -284,49 +373,103 @@ void write_below(const std::string& name, const std::string& what, int terms, in
     samples.push_back(std::move(sample));
   }
   const Fit fit = generate::minimax(samples);
-  write_array(out, name + "_plain", what + "; largest relative error " + bits(fit.error),
-              rounded(fit.coefficients));
-  write_array(out, name + "_with_log", "and what is multiplied by λ there too", with_log);
+  return {rounded(fit.coefficients), with_log, fit.error};
 }
 
-// K by y = 1 − k, which is a double, K by kc, and T/Θ by η: eight doublings of each, and below a logarithm.
-void write_tables()
+std::string braces(const std::vector<double>& c)
 {
-  std::fprintf(out,
-               "\n// The tables have rows of %d numbers: f(x) = c[1] + c[2] t + … with t = x − c[0].\n"
-               "inline constexpr unsigned row_length = %d;\n",
-               degree + 2, degree + 2);
+  std::string text = "{";
+  for(std::size_t i = 0; i < c.size(); ++i)
+    text.append(i == 0 ? "" : i % 4 == 0 ? ",\n     " : ", ").append(hex(c[i]));
+  return text.append("}");
+}
+
+// The logarithm is zero at 2 to the power `zero`.
+void write_function(const std::string& name, const std::string& what, const Rows& rows, int zero,
+                    const Logarithm& l, const Below& b)
+{
+  std::fprintf(
+      out,
+      "\n// %s.\n"
+      "// Largest relative errors: of the rows %s, below %s, of what is added to the logarithm %s.\n"
+      "[[gnu::visibility(\"hidden\")]] inline constexpr Function<%d, %zu, %zu> %s = {\n"
+      "    0x1p52 + %d,\n    %s,\n    %s,\n    %s,\n    %s,\n    %s,\n    {\n%s    }};\n",
+      what.c_str(), bits(rows.error).c_str(), bits(b.error).c_str(), bits(l.error).c_str(), rows.count,
+      b.plain.size(), b.with_log.size(), name.c_str(), 1023 + zero, braces(l.halving).c_str(),
+      braces(l.beyond).c_str(), braces(b.plain).c_str(), braces(b.with_log).c_str(),
+      braces(l.centres).c_str(), rows.text.c_str());
+}
+
+// What the tables are: all that is read of a function stands together, since whatever lies elsewhere must be
+// fetched too where the caches are cold.
+void write_form()
+{
+  std::fprintf(
+      out,
+      "\n// All that is read of a function f. A row has %zu numbers: f(x) = c[1] + t N(t)/D(t),\n"
+      "// t = x − c[0], with polynomials of degree up to %d whose coefficients are c[2], c[4], … and "
+      "c[3],\n"
+      "// c[5], … Below the rows f is a logarithm and a short polynomial: see swing/rows.hpp.\n"
+      "inline constexpr unsigned row_length = %zu;\n"
+      "template <unsigned row_count, unsigned terms, unsigned log_terms>\n"
+      "struct alignas(128) Function\n{\n"
+      "  double zero;                 // 2^52 and the exponent, as it is stored, of where λ is zero\n"
+      "  double halving[2];           // what a halving of x adds to the logarithm λ\n"
+      "  double beyond[4];            // what λ adds to its value at a centre\n"
+      "  double plain[terms];         // p\n"
+      "  double with_log[log_terms];  // q\n"
+      "  alignas(64) double centres[16];  // of the logarithm, each with its value\n"
+      "  alignas(128) double rows[row_count][row_length];\n};\n",
+      row_length, degree, row_length);
+}
+
+// K by the modulus, K by kc, and T/Θ by η: eight or nine doublings of each, and below a logarithm. The modulus is
+// looked for by y = 1 − k, which is a double from k = ½ on; there the rows have k, and for all smaller k one
+// row has k².
+void write_functions()
+{
   const Fifty two_over_pi = Fifty(2) / exact::pi();
+  const Fifty half = Fifty(0.5);
+  const Fifty last = ldexp(Fifty(1), -8);
   const Function K_by_y = [](const Fifty& y) {
     return oracle::K_from_complement(sqrt(y * (Fifty(2) - y)));
   };
-  Rows K;
-  add_logarithm(K, Fifty(1));
-  add_table(K, "K_by_modulus", "K by 1 − k", -8, 1, K_by_y);
-  add_table(K, "K_by_complement", "K by kc", -8, 1, oracle::K_from_complement);
-  write_rows("K", K);
-  Rows ratio;
-  add_logarithm(ratio, two_over_pi);
-  add_table(ratio, "ratio_by_eta", "T/Θ by η", -7, 3.1415926535897931, oracle::ratio_from_top);
-  write_rows("ratio", ratio);
-
   // What multiplies the logarithm is (2/π)K of the complementary modulus.
-  const Fifty half = Fifty(0.5);
-  write_below(
-      "K_by_modulus", "2K below the table, λ = ln(8/y), z = y = 1 − k", 5, 4, ldexp(Fifty(1), -8),
-      [=](const Fifty& y) { return Fifty(2) * K_by_y(y); },
-      [](const Fifty& y) { return log(Fifty(8) / y); }, [](const Fifty& y) { return y; },
-      [=](const Fifty& y) { return two_over_pi * oracle::K(sqrt(y * (Fifty(2) - y))); });
-  write_below(
-      "K_by_complement", "K below the table, λ = ln(4/kc), z = kc²", 3, 2, ldexp(Fifty(1), -8),
-      oracle::K_from_complement, [](const Fifty& kc) { return log(Fifty(4) / kc); },
-      [](const Fifty& kc) { return kc * kc; },
-      [=](const Fifty& kc) { return two_over_pi * oracle::K(kc); });
-  write_below(
-      "ratio_by_eta", "T/Θ below the table, λ = (2/π) ln(8/η), z = η²", 3, 2, ldexp(Fifty(1), -7),
-      oracle::ratio_from_top, [=](const Fifty& eta) { return two_over_pi * log(Fifty(8) / eta); },
-      [](const Fifty& eta) { return eta * eta; },
-      [=](const Fifty& eta) { return two_over_pi * oracle::K(sin(eta * half)); });
+  Rows modulus;
+  for(int i = 0; i < 32; ++i)
+  {
+    const Fifty step = ldexp(Fifty(1), i / 4 - 11);
+    const Fifty y = Fifty(4 + i % 4) * step;
+    modulus.add([&](const Fifty& k) { return K_by_y(Fifty(1) - k); }, Fifty(1) - y - step, Fifty(1) - y);
+  }
+  modulus.add([](const Fifty& m) { return oracle::K_from_complement(sqrt(Fifty(1) - m)); }, Fifty(0),
+              Fifty(0.25));
+  write_function(
+      "K_by_modulus",
+      "K by y = 1 − k: four rows to an octave, one for all k up to ½; below 2^-9 λ = ½ ln(8/y), z = y",
+      modulus, 3, logarithm(half),
+      below(
+          5, 4, half * last, K_by_y, [=](const Fifty& y) { return half * log(Fifty(8) / y); },
+          [](const Fifty& y) { return y; },
+          [=](const Fifty& y) { return two_over_pi * oracle::K(sqrt(y * (Fifty(2) - y))); }));
+  Rows complement;
+  add_octaves(complement, oracle::K_from_complement, 8, -8, 1);
+  write_function("K_by_complement", "K by kc: eight rows to an octave; below 2^-8 λ = ln(4/kc), z = kc²",
+                 complement, 2, logarithm(Fifty(1)),
+                 below(
+                     3, 2, last, oracle::K_from_complement,
+                     [](const Fifty& kc) { return log(Fifty(4) / kc); },
+                     [](const Fifty& kc) { return kc * kc; },
+                     [=](const Fifty& kc) { return two_over_pi * oracle::K(kc); }));
+  Rows ratio;
+  add_octaves(ratio, oracle::ratio_from_top, 8, -7, 3.1415926535897931);
+  write_function("ratio_by_eta", "T/Θ by η: eight rows to an octave; below 2^-7 λ = (2/π) ln(8/η), z = η²",
+                 ratio, 3, logarithm(two_over_pi),
+                 below(
+                     3, 2, Fifty(2) * last, oracle::ratio_from_top,
+                     [=](const Fifty& eta) { return two_over_pi * log(Fifty(8) / eta); },
+                     [](const Fifty& eta) { return eta * eta; },
+                     [=](const Fifty& eta) { return two_over_pi * oracle::K(sin(eta * half)); }));
 }
 
 // d⁸ and d⁹ for |d| ≤ ½ by polynomials of degree 6 and 7 that vanish at 0. In x = 2d it is the
@@ -359,18 +502,6 @@ void write_powers()
   write_array(out, "ninth_power", "d⁹ ≈ c₀d + c₁d³ + c₂d⁵ + c₃d⁷ for |d| ≤ ½", c);
 }
 
-// A constant as a double of few digits, so that its product with a small integer is exact, and the rest.
-void write_constant(const std::string& name, const Fifty& x, int kept_bits)
-{
-  const int shift = kept_bits - static_cast<int>(std::ceil(std::log2(std::fabs(static_cast<double>(x)))));
-  const double head = kept_bits >= 53
-                          ? static_cast<double>(x)
-                          : std::ldexp(std::nearbyint(std::ldexp(static_cast<double>(x), shift)), -shift);
-  const double rest = static_cast<double>(x - Fifty(head));
-  const char* const format = "inline constexpr double %s_hi = %s;\ninline constexpr double %s_lo = %s;\n";
-  std::fprintf(out, format, name.c_str(), hex(head).c_str(), name.c_str(), hex(rest).c_str());
-}
-
 }  // namespace
 
 int main(int argc, char** argv)
@@ -383,14 +514,13 @@ int main(int argc, char** argv)
   std::fprintf(out, "// Made by src/swing/generate/tables.cpp with fifty digits; not to be edited.\n"
                     "#pragma once\n\nnamespace swing::tables\n{\n\n");
   write_constant("ln2", exact::ln2(), 40);
-  write_constant("two_over_pi", Fifty(2) / exact::pi(), 53);
-  write_constant("ratio_ln2", Fifty(2) / exact::pi() * exact::ln2(), 40);
   write_constant("one_over_pi", Fifty(1) / exact::pi(), 53);
   write_elementary();
   write_exponential();
   write_excess();
   write_powers();
-  write_tables();
+  write_form();
+  write_functions();
   std::fprintf(out, "\n} // namespace swing::tables\n");
   return std::fclose(out) == 0 ? 0 : 1;
 }

@@ -120,7 +120,7 @@ SWING_INLINE void read_motion(const Rows& rows, const double* t, double* out, st
     for(std::size_t i = 0; i < size; i += width)
     {
       Wide c[row_length];
-      read_columns(r.row->c, x.row + i, c);
+      read_columns<row_length>(r.row->c, x.row + i, c);
       using Bits = std::uint64_t __attribute__((vector_size(sizeof(Wide))));
       Bits sign;
       __builtin_memcpy(&sign, x.sign + i, sizeof sign);

@@ -14,73 +14,106 @@ namespace swing::kernels
 namespace
 {
 
-static_assert(row_length == tables::row_length);
-
-// So many go together: few enough that seldom one of them lies below the table where not many do.
+// So many go together: few enough that seldom one of them lies below the rows where not many do.
 constexpr std::size_t few = 32;
 
 // What of them is known before the table is read.
 struct Arguments
 {
-  alignas(64) double given[few] = {};
-  alignas(64) double mantissa[few] = {};
-  alignas(64) double lost[few] = {};
-  alignas(64) double halvings[few] = {};
-  alignas(64) double z[few] = {};
-  alignas(64) std::uint64_t row[few] = {};
+  alignas(64) double given[few];
+  alignas(64) double x[few];  // whose distance from the row's centre is asked for
+  alignas(64) double lost[few];
+  alignas(64) std::uint64_t row[few];
+  alignas(64) double mantissa[few];
+  alignas(64) double halvings[few];
+  alignas(64) double z[few];
+  alignas(64) std::uint64_t centre[few];
 };
 
+template <class Vector, class Number>
+SWING_INLINE void store(const Vector& x, Number* out)
+{
+  __builtin_memcpy(out, &x, sizeof x);
+}
+
 template <class Table>
-SWING_INLINE double in_domain(double x)
+SWING_INLINE Wide in_domain(Wide x)
 {
-  return x > 0 && x <= Table::last ? x : 1;
+  return ((x > 0.0) & (x <= Table::last)) ? x : Wide{} + 1.0;
 }
 
-// Each argument's row, and whether some arguments lie below the table.
+// Whether something holds of one of the numbers, of which a comparison told.
+template <class Comparison>
+SWING_INLINE bool any(const Comparison& holds)
+{
+  auto found = holds[0];
+  for(unsigned i = 1; i < width; ++i)
+    found |= holds[i];
+  return found != 0;
+}
+
+// Each argument's row, and whether some arguments lie below the rows.
 template <class Kernel>
-SWING_INLINE bool find_rows(const double* in, Arguments& a, std::size_t size)
+SWING_INLINE bool find_rows(const double* in, Arguments& a)
 {
   using Table = typename Kernel::Table;
-  std::uint64_t below = 0;
-  for(std::size_t i = 0; i < size; ++i)
+  auto below = Wide{} > 0.0;
+  for(std::size_t i = 0; i < few; i += width)
   {
-    const double x = Kernel::argument(in[i]);
-    const double inside = in_domain<Table>(x);
-    a.given[i] = x;
-    a.row[i] = rows::row_of<Table>(inside);
-    if constexpr(Kernel::inexact)
-      a.lost[i] = Kernel::lost(in[i]);
+    const Wide given = load(in + i);
+    const Wide x = Kernel::argument(given);
+    const Wide inside = in_domain<Table>(x);
     below |= inside < Table::start;
+    const auto place = Kernel::place_of(given, inside < Table::start ? Wide{} + Table::start : inside);
+    store(x, a.given + i);
+    store(place.x, a.x + i);
+    store(place.row * sizeof(Table::stored.rows[0]) / sizeof(double), a.row + i);
+    if constexpr(Kernel::inexact)
+      store(Kernel::lost(given), a.lost + i);
   }
-  return below != 0;
+  return any(below);
 }
 
-// Where some do, the rows of those are the logarithm's.
+// Where some do, what the logarithm of those is read from; of all others it is that of 1.
 template <class Kernel>
-SWING_INLINE void find_rows_below(Arguments& a, std::size_t size)
+SWING_INLINE void find_centres(Arguments& a)
 {
   using Table = typename Kernel::Table;
-  for(std::size_t i = 0; i < size; ++i)
+  for(std::size_t i = 0; i < few; i += width)
   {
-    const double x = in_domain<Table>(a.given[i]);
-    const bool below = x < Table::start;
-    const rows::Scaled s = rows::scaled<Table>(x);
-    a.mantissa[i] = below ? s.mantissa : x;
+    const Wide inside = in_domain<Table>(load(a.given + i));
+    const auto below = inside < Table::start;
+    const Wide x = below ? inside : Wide{} + 1.0;
+    const rows::Scaled<Wide> s = rows::scaled<Table>(x, Table::stored.zero);
+    store(s.mantissa, a.mantissa + i);
+    store(below ? s.halvings : Wide{}, a.halvings + i);
+    store(rows::small_of<Table>(x), a.z + i);
+    store(rows::centre_of(s.mantissa), a.centre + i);
     if constexpr(Kernel::inexact)
-      a.lost[i] *= below ? s.power : 1;
-    a.halvings[i] = below ? s.halvings : 0;
-    a.z[i] = below ? Table::small_of(x) : 0;
-    a.row[i] = below ? rows::row_of_mantissa(s.mantissa) : a.row[i];
+      store(load(a.lost + i) * s.power, a.lost + i);
   }
 }
 
-// Whether one of the next `width` numbers is not zero.
-SWING_INLINE bool any(const double* x)
+// What the logarithm says of the next `width`.
+template <class Kernel>
+SWING_INLINE Wide below_rows(const Arguments& a, std::size_t i)
 {
-  bool found = false;
-  for(unsigned i = 0; i < width; ++i)
-    found |= x[i] != 0;
-  return found;
+  using Table = typename Kernel::Table;
+  Wide centre{};
+  Wide value{};
+  for(unsigned j = 0; j < width; ++j)
+  {
+    centre[j] = Table::stored.centres[a.centre[i + j]];
+    value[j] = Table::stored.centres[a.centre[i + j] + 1];
+  }
+  const Wide mantissa = load(a.mantissa + i);
+  Wide distance = mantissa - centre;
+  if constexpr(Kernel::inexact)
+    distance += load(a.lost + i);
+  const rows::Sum<Wide> sum =
+      rows::below(Table::stored, rows::Reading<Wide>{value, distance, mantissa + centre},
+                  load(a.halvings + i), load(a.z + i));
+  return sum.main + sum.rest;
 }
 
 // The values by their rows, as many at once as a register holds.
@@ -92,26 +125,24 @@ SWING_INLINE void read_rows(const Arguments& a, double* out, std::size_t size)
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for(std::size_t i = 0; i < size; i += width)
   {
-    Wide c[row_length];
-    read_columns(Table::rows, a.row + i, c);
+    Wide c[tables::row_length];
+    read_columns<tables::row_length>(Table::stored.rows[0], a.row + i, c);
     const Wide given = load(a.given + i);
-    Wide t = load((some_below ? a.mantissa : a.given) + i) - c[0];
+    Wide t = load(a.x + i) - c[0];
     if constexpr(Kernel::inexact)
       t += load(a.lost + i);
-    rows::Sum<Wide> sum{c[1], rows::beyond_centre(c, t)};
-    Wide scale = Wide{} + 1.0;
+    const Wide beyond = rows::beyond_centre(t, rows::quintic<2>(c + 2, t), rows::quintic<2>(c + 3, t));
+    Wide value = c[1] + beyond;
     if constexpr(some_below)
-      if(any(a.halvings + i))
-      {
-        const Wide halvings = load(a.halvings + i);
-        sum = rows::with_halvings<Table>(sum.main, sum.rest, halvings, load(a.z + i));
-        if constexpr(Table::scale != 1)
-          scale = halvings != 0.0 ? Wide{} + Table::scale : scale;
-      }
+    {
+      const auto below = load(a.halvings + i) != 0.0;
+      if(any(below))
+        value = below ? below_rows<Kernel>(a, i) : value;
+    }
     const Wide outside = given == 0.0 ? Wide{} + inf : Wide{} + nan;
-    const Wide value = ((given > 0.0) & (given <= Table::last)) ? (sum.main + sum.rest) * scale : outside;
+    value = ((given > 0.0) & (given <= Table::last)) ? value : outside;
     if(size - i >= width)
-      __builtin_memcpy(out + i, &value, sizeof value);
+      store(value, out + i);
     else
       for(std::size_t j = i; j < size; ++j)
         out[j] = value[j - i];
@@ -122,12 +153,19 @@ template <class Kernel>
 void table_loop(const double* in, double* out, std::size_t n)
 {
   Arguments a;
+  double last[few] = {};  // those that are fewer
   for(std::size_t start = 0; start < n; start += few)
   {
     const std::size_t size = n - start < few ? n - start : few;
-    if(find_rows<Kernel>(in + start, a, size))
+    const double* given = in + start;
+    if(size < few)
     {
-      find_rows_below<Kernel>(a, size);
+      __builtin_memcpy(last, given, size * sizeof(double));
+      given = last;
+    }
+    if(find_rows<Kernel>(given, a))
+    {
+      find_centres<Kernel>(a);
       read_rows<Kernel, true>(a, out + start, size);
     }
     else
@@ -135,12 +173,19 @@ void table_loop(const double* in, double* out, std::size_t n)
   }
 }
 
+// |x|.
+SWING_INLINE Wide magnitude(Wide x)
+{
+  return bits::from_bits(bits::bits_of(x) & ~bits::sign_bit);
+}
+
 // What a table is asked for, from what is given: `inexact` with what that lacks.
 struct By_modulus
 {
   using Table = rows::K_by_modulus;
   static constexpr bool inexact = false;
-  SWING_INLINE static double argument(double k) { return 1 - bits::magnitude(k); }
+  SWING_INLINE static Wide argument(Wide k) { return 1.0 - magnitude(k); }
+  SWING_INLINE static auto place_of(Wide k, Wide x) { return rows::place_of_modulus(magnitude(k), x); }
 };
 
 template <class Of>
@@ -148,18 +193,24 @@ struct As_given
 {
   using Table = Of;
   static constexpr bool inexact = false;
-  SWING_INLINE static double argument(double x) { return x; }
+  SWING_INLINE static Wide argument(Wide x) { return x; }
+  SWING_INLINE static auto place_of(Wide, Wide x) { return rows::place_of<Table>(x); }
 };
 
 struct By_zeta
 {
   using Table = rows::Ratio_by_eta;
   static constexpr bool inexact = true;
-  SWING_INLINE static double argument(double zeta)
+  SWING_INLINE static Wide argument(Wide zeta)
   {
-    return zeta >= 0 ? (pi_hi - zeta) + pi_lo : std::numeric_limits<double>::quiet_NaN();
+    return zeta >= 0.0 ? (pi_hi - zeta) + pi_lo : Wide{} + std::numeric_limits<double>::quiet_NaN();
   }
-  SWING_INLINE static double lost(double zeta) { return ((pi_hi - zeta) - argument(zeta)) + pi_lo; }
+  SWING_INLINE static Wide lost(Wide zeta)
+  {
+    const Wide nearly = pi_hi - zeta;
+    return (nearly - argument(zeta)) + (((pi_hi - nearly) - zeta) + pi_lo);
+  }
+  SWING_INLINE static auto place_of(Wide, Wide eta) { return rows::place_of<Table>(eta); }
 };
 
 }  // namespace

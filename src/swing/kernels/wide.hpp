@@ -20,15 +20,8 @@ namespace
 // short one the processor has several under way, of a long one it waits for each result.
 constexpr std::size_t block = 128;
 
-// As many numbers as a register holds.
-#if defined(__AVX512F__)
-constexpr unsigned width = 8;
-#elif defined(__AVX__)
-constexpr unsigned width = 4;
-#else
-constexpr unsigned width = 2;
-#endif
-using Wide = double __attribute__((vector_size(width * sizeof(double))));
+using bits::Wide;
+using bits::width;
 
 SWING_INLINE Wide load(const double* x)
 {
@@ -74,15 +67,16 @@ SWING_INLINE void transpose(Wide* row)
     transpose<2 * distance>(row);
 }
 
-// So many numbers has a row of any table: one line of the cache.
+// So many numbers has a row of a motion's table: one line of the cache.
 constexpr unsigned row_length = 8;
 
-// The numbers j of the next `width` rows as column[j], each row beginning where `row` says. This is much
-// faster than to gather them one by one.
+// The first `length` numbers j of the next `width` rows as column[j], each row beginning where `row` says.
+// This is much faster than to gather them one by one.
+template <unsigned length>
 SWING_INLINE void read_columns(const double* table, const std::uint64_t* row, Wide* column)
 {
 #pragma GCC unroll 8
-  for(unsigned j = 0; j < row_length; j += width)
+  for(unsigned j = 0; j < length; j += width)
   {
 #pragma GCC unroll 8
     for(unsigned i = 0; i < width; ++i)
