@@ -69,7 +69,7 @@ TELL
   require(std::isfinite(integrals[11]), "alpha",
           "an angle whose sine has a tenth power that a double can hold");
   tell("logarithm", integrals[1], "the integral of dω/sin ω, on which all stand");
-  auto& rungs = table("rungs", "The five rungs: each is made of two ends and the rung below.",
+  auto& rungs = table("rungs", "The five rungs: each is made of two ends and the rung below",
                       {{"n", "n"},
                        {"start", "cos α/(n sinⁿα)"},
                        {"end", "− cos ω/(n sinⁿω)"},

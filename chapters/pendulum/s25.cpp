@@ -63,7 +63,7 @@ const auto v = real("v", 1e-3, none, above_to(1e-150, 1), "the variable, infinit
 
 TELL
 {
-  auto& loss = table("loss", "What sixteen digits make of it, as v grows small.",
+  auto& loss = table("loss", "What sixteen digits make of it, as v grows small",
                      {{"v", "v", none, 1}, {"stands", "by (1)"}, {"W", "W", none, 12}});
   for(const double x : {1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8})
     loss.row({x, as_it_stands(x), W(x)});

@@ -70,7 +70,7 @@ TELL
   tell("left", expression(v.fifty(), C), "what is left of (3) with that constant");
   tell("whole", W(v.fifty()), "what is left when nothing is dropped, §25");
   auto& approach =
-      table("approach", "The expression (3) without C, which goes to ¼ − ¼ l 2, and with C.",
+      table("approach", "The expression (3) without C, which goes to ¼ − ¼ l 2, and with C",
             {{"v", "v", none, 1}, {"without_C", "without C", none, 15}, {"with_C", "with C", none, 3}});
   for(const char* const small : {"0.1", "0.01", "0.001", "0.0001", "1e-7", "1e-10"})
   {

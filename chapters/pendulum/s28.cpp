@@ -75,7 +75,7 @@ double beyond(int J)  // what J columns leave out of K; nothing, where fifty dig
 
 TELL
 {
-  auto& sums = table("sums", "The sums of the columns, (C).",
+  auto& sums = table("sums", "The sums of the columns, (C)",
                      {{"j", "j"}, {"beta", "β"}, {"rho", "ρ"}, {"S", "β l 2 − ρ", none, 15}});
   const auto S = exact_column_sums(columns);
   for(std::size_t j = 0; j < S.size() && j < 12; ++j)  // the fractions of the later ones fill lines

@@ -142,7 +142,7 @@ TELL
   if(alpha < 0.05_deg || alpha > 15_deg)
     return;  // below, his series takes millions of terms; above, B lacks too much
   const double B = three_members(alpha, 40).sum();
-  auto& proofs = table("proofs", "The three proofs, and the factor that each demands.",
+  auto& proofs = table("proofs", "The three proofs, and the factor that each demands",
                        {{"by", "by"}, {"ratio", "T/Θ", none, 8}, {"factor", "factor", none, 6}});
   const auto found = [&](const char* by, double ratio) { proofs.row({by, ratio, ratio / B}); };
   found("his definitions", by_his_definitions(alpha));
