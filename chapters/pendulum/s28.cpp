@@ -30,6 +30,11 @@ array says that the time of the descent, counted in units of $\sqrt b/\sqrt{2g}$
 
 $$ K = L\,P(x) + u\,S(x), \qquad P = \sum a_n^2\, x^n, \qquad S = \sum S_j\,x^j, \tag{A} $$
 
+::: margin
+Today: the equation of $K(k)$ with $k^2 = 1 - x$, symmetrical in $x$ and $1 - x$. $P$ is
+$\frac2\pi K(\sin\alpha)$.
+:::
+
 where $a_n = \frac{1\cdot3\cdots(2n-1)}{2\cdot4\cdots2n}$, and $S_0 = l2$ and $S_1 = \frac34l2$ are known from
 {{sec pendulum.22}} and {{sec pendulum.27}}. Now $K$ and $P$ both satisfy one equation,
 $4\frac{d}{dx}\left(x(1-x)\frac{dy}{dx}\right) = y$. When {{eq A}} is put into it, the logarithm itself has
@@ -45,11 +50,6 @@ and the power $x^j$ of this, with $4(j+1)^2a_{j+1}^2 = (2j+1)^2a_j^2$, ties each
 two before it:
 
 $$ (j+1)^2 S_{j+1} = \left(2j^2 + 2j + \tfrac34\right) S_j - j^2 S_{j-1} - \frac{j\,a_j^2}{4(j+1)}. \tag{B} $$
-
-::: margin
-Today: the equation of $K(k)$ with $k^2 = 1 - x$, symmetrical in $x$ and $1 - x$. $P$ is
-$\frac2\pi K(\sin\alpha)$.
-:::
 
 ::: code pendulum/columns.hpp column_sums (B)
 :::
