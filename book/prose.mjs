@@ -170,11 +170,15 @@ rules.math = guarded((token, page) => {
 rules.told = guarded((token, page) => page.refer(token.content.replaceAll('\\|', '|').trim(), token.meta));
 /** A unit behind a told number stays on its line. */
 const unitBehind = (tokens, i, content) => tokens[i - 1]?.type === 'told' && /^ ?(?:s|ft|1\/s)(?!\p{L})/u.test(content ?? '');
+/** So does a sign of the apparatus behind its word. */
+const signBehind = (tokens, i) => tokens[i + 1]?.type === 'told' && /^\s*entry\s/.test(tokens[i + 1].content);
 rules.text = (tokens, i) => {
   const { content } = tokens[i];
-  return md.utils.escapeHtml(unitBehind(tokens, i, content) ? content.replace(/^ /, '\u00a0') : content);
+  const unit = unitBehind(tokens, i, content) ? content.replace(/^ /, '\u00a0') : content;
+  return md.utils.escapeHtml(signBehind(tokens, i) ? unit.replace(/ $/, '\u00a0') : unit);
 };
-rules.softbreak = (tokens, i) => (unitBehind(tokens, i, tokens[i + 1]?.content) ? '\u00a0' : '\n');
+rules.softbreak = (tokens, i) =>
+  unitBehind(tokens, i, tokens[i + 1]?.content) || signBehind(tokens, i) ? '\u00a0' : '\n';
 rules.told_block = guarded((token, page) =>
   token.info === 'table' ? page.table(token.content) : page.collected(token.content),
 );
