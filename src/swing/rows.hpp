@@ -80,14 +80,12 @@ struct Place
   Bits row;  ///< which
   Number x;  ///< the number
 };
-template <class Bits, class Number>
-Place(Bits, Number) -> Place<Bits, Number>;
 
 /// The place of an x that has a row.
 template <class Table, class Number>
 SWING_INLINE auto place_of(Number x)
 {
-  return Place{beyond_start<Table>(x) >> Table::shift, x};
+  return Place<decltype(bits_of(x)), Number>{beyond_start<Table>(x) >> Table::shift, x};
 }
 
 /// The place of a modulus, x = 1 − k having a row.
@@ -98,8 +96,9 @@ SWING_INLINE auto place_of_modulus(Number k, Number x)
   constexpr std::uint64_t half = Table::up_to_half << Table::shift;
   const auto beyond = beyond_start<Table>(x);
   const auto past_half = 0 - ((beyond - half) >> 63);
-  return Place{chosen(past_half, beyond >> Table::shift, 0 * beyond + Table::up_to_half),
-               from_bits(chosen(past_half, bits_of(k), bits_of(k * k)))};
+  return Place<decltype(bits_of(x)), Number>{
+      chosen(past_half, beyond >> Table::shift, 0 * beyond + Table::up_to_half),
+      from_bits(chosen(past_half, bits_of(k), bits_of(k * k)))};
 }
 
 /// A value as a sum, the second part being small beside the first.
