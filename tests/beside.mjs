@@ -1,7 +1,7 @@
 // What all sections of a chapter tell in another build (EDITION_BESIDE: another processor, compiler or C++ library) is what they
 // tell here, to the last bit: with Euler's numbers and with three other settings, and what came of their checks. Usage:
 // node beside.mjs CHAPTER HERE COMMAND... (HERE: all-sections of this build; COMMAND: the other's, with what runs it.)
-// Not part of the tests' every run: ./euler test aarch64, libc++ or clang; its last table stands in tests/beside.md.
+// Not part of the tests' every run: ./euler test aarch64, libc++ or clang.
 import { readdirSync } from 'node:fs';
 import { Program, differing, placeless } from './book/program.mjs';
 import { settings } from './book/settings.mjs';
