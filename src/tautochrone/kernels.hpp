@@ -39,9 +39,13 @@ inline constexpr std::size_t last_power = 32;
 struct Step
 {
   double terms[last_power + 1][2];  ///< of w and of u
-  double k, kk, eps;                ///< k/a, its square, and k/(1 + kk)
-  double unit, Y;                   ///< of which Y at t = 0 is the product
-  double cosine, lifted;            ///< cos φ there, and (1 − cos φ)/YY
+  double k;                         ///< k/a
+  double kk;                        ///< (k/a)²
+  double eps;                       ///< k/(1 + kk)
+  double unit;                      ///< a factor of Y
+  double Y;                         ///< Y₀: with `unit` Y at t = 0
+  double cosine;                    ///< cos φ there
+  double lifted;                    ///< (1 − cos φ)/YY there
   double length;                    ///< how far down it goes
   double small;                     ///< an error of t whose cube is nothing
   double guess[7];  ///< of t by the powers of q − q₀ from the first on; q is 2 sin ½φ/Y₀, and q₀ at t = 0
