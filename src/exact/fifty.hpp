@@ -15,9 +15,10 @@ namespace exact
  * A real number with a significand of 168 bits (50 decimal digits) and a practically unbounded exponent.
  *
  * It is used like a `double`: the elementary functions are found by argument-dependent lookup, so that `using
- * std::sqrt; sqrt(x)` is one formula for both. The four operations and `sqrt` are correctly rounded, the
- * other functions are good to a few units of the fiftieth digit. A division by zero gives an infinity and an
- * undefined operation a NaN, as for doubles.
+ * std::sqrt; sqrt(x)` is one formula for both. Products, quotients and `sqrt` are correctly rounded; so are
+ * sums and differences, but for rare differences of which Boost 1.74 takes a unit of the last place where
+ * less than half of one is due (`findings/boost-difference`). The other functions are good to a few units of
+ * the fiftieth digit. A division by zero gives an infinity and an undefined operation a NaN, as for doubles.
  *
  * Source: `cpp_bin_float_50` of Boost.Multiprecision, which stays out of this header.
  */
@@ -63,7 +64,7 @@ public:
   /// @throws std::out_of_range unless 1 ≤ digits ≤ 50
   std::string str(int digits = 50) const;
 
-  /// The four operations, correctly rounded, and the comparisons.
+  /// The four operations, rounded as said above, and the comparisons.
   /// @{
   Fifty& operator+=(const Fifty& y);
   Fifty& operator-=(const Fifty& y);
