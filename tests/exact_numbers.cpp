@@ -299,6 +299,37 @@ TEST_CASE("sine and cosine are those of three times the digits, between the plac
   }
 }
 
+TEST_CASE(
+    "an arc tangent is that of three times the digits, in every octant and where the nearest place changes")
+{
+  using Wide = boost::multiprecision::number<
+      boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
+      boost::multiprecision::et_off>;
+  const auto narrow = [](const Wide& x) { return exact::fifty(x.convert_to<exact::Real>()); };
+  std::vector<Fifty> tangents{Fifty("1e-300"), Fifty("1e-25"), Fifty("1e300"), 1, 1 + Fifty("1e-40")};
+  for(int n = 1; n <= 120; ++n)
+    tangents.push_back(narrow(tan(Wide(n) / 128)) + n % 2 * Fifty("1e-20"));
+  for(const Fifty& x : tangents)
+  {
+    const Wide wide(exact::real(x));
+    CHECK(atan(x) == to_fifty_digits(narrow(atan(wide))));
+    CHECK(atan(-x) == -atan(x));
+    CHECK(atan2(x, -1) == to_fifty_digits(narrow(atan2(wide, Wide(-1)))));
+    CHECK(atan2(-1, -x) == to_fifty_digits(narrow(atan2(Wide(-1), Wide(-wide)))));
+    const Wide sine = wide / sqrt(1 + wide * wide);
+    CHECK(asin(narrow(sine)) == to_fifty_digits(narrow(asin(Wide(exact::real(narrow(sine)))))));
+    CHECK(acos(-narrow(sine)) == to_fifty_digits(narrow(acos(Wide(exact::real(-narrow(sine)))))));
+  }
+  // On the axes and at infinity, where no quotient is taken.
+  CHECK(atan(Fifty(0)) == 0);
+  CHECK(atan2(Fifty(0), -1) == pi());
+  CHECK(atan2(Fifty(-3), 0) == -pi() / 2);
+  CHECK(atan(1 / Fifty(0)) == pi() / 2);
+  CHECK(asin(Fifty(-1)) == -pi() / 2);
+  CHECK(acos(Fifty(-1)) == pi());
+  CHECK(isnan(atan(Fifty(0) / 0)));
+}
+
 TEST_CASE("what is not a decimal is refused")
 {
   for(const char* text :

@@ -210,10 +210,9 @@ CHECK_THAT("the moments told are those of the eight particles, and the axis told
     const bool plane = abs(product) < 1e-45 * kk;
     CHECK(now.value("verdict") == (plane ? "plane" : "not plane"));
     // The principal axis: its angle has the tangent of twice 2Σmyz over the difference of the moments.
-    const Fifty tangent = plane ? Fifty(0) : Fifty(2 * product / (kk - yy));
-    CHECK(now.value("tilt", degrees) == within(atan(tangent) / 2, 4e-16, "an arc and a half"));
-    const Fifty twice = 1 / sqrt(1 + tangent * tangent);
-    const Fifty cosine = sqrt((1 + twice) / 2), sine = tangent * twice / (2 * cosine);
+    const Fifty twice = plane ? Fifty(0) : atan(2 * product / (kk - yy));
+    CHECK(now.value("tilt", degrees) == within(twice / 2, 4e-16, "an arc and a half"));
+    const Fifty sine = sin(twice / 2), cosine = cos(twice / 2);
     CHECK((kk - yy) * sine * cosine
           == within(product * (cosine * cosine - sine * sine), 1e-44 * double(kk + yy), "no product left"));
     // With the wobble told no moment is asked for along the way; without it ww times the product is.
