@@ -14,10 +14,11 @@ function words(text, formulas, stop = '') {
   try {
     const ends = parts.at(-1) === '' ? parts.length - 2 : parts.length - 1;
     return parts
-      .map((part, i) => [part, i === ends ? stop : '', i % 2])
-      .map(([part, end, formula]) =>
-        formula ? formulas.set(end ? `${part}\\text{${end}}` : part, false, part + end) : escape(part) + end,
-      )
+      .map((part, i) => {
+        const end = i === ends ? stop : '';
+        if (i % 2 === 0) return escape(part) + end;
+        return formulas.set(end ? `${part}\\text{${end}}` : part, false, part + end);
+      })
       .join('');
   } catch {
     return escape(text) + stop; // no formula after all

@@ -269,10 +269,9 @@ TEST_CASE(
           CHECK(now.s == within_relative(1 - radii[j], bound, "the header's"));
         }
       }
-      for(int variant = 0; variant < kernels::variants().count; ++variant)
+      for(std::size_t variant = 0; variant < kernels::variants().count; ++variant)
       {
-        const auto same =
-            along(member, k, angles, kernels::variants().find[static_cast<std::size_t>(variant)]);
+        const auto same = along(member, k, angles, kernels::variants().find[variant]);
         for(std::size_t i = 0; i < places.size(); ++i)
         {
           CHECK(same[i].r == places[i].r);

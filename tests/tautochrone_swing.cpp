@@ -332,10 +332,9 @@ TEST_CASE("the fast integral: two ulps to 1.4 rad, the same bits from every set 
         pi() * sqrt(2 * (r(Fifty(1)) * r(Fifty(1)) + Fifty(curve.k) * curve.k) / r(Fifty(1)));
     CHECK(path.swing_time(1e-8) == within_ulps(lowest, 2, "no difference of cosines is taken"));
     CHECK(path.swing_time(1e-150) == within_ulps(lowest, 2, "nor does it matter how small"));
-    for(int i = 0; i < kernels::variants().count; ++i)
+    for(std::size_t i = 0; i < kernels::variants().count; ++i)
       for(const double phi0 : {1e-8, 0.7, 1.0})
-        CHECK(path.swing_time(phi0, kernels::variants().sum[static_cast<std::size_t>(i)])
-              == path.swing_time(phi0));
+        CHECK(path.swing_time(phi0, kernels::variants().sum[i]) == path.swing_time(phi0));
   }
   CHECK_THROWS_AS(Path(Laurent<double>(1.0, -1), 0.1), std::domain_error);
   CHECK_THROWS_AS(Path(Laurent<double>(1.0, 24), 0.1), std::domain_error);

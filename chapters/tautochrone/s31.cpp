@@ -280,15 +280,12 @@ CHECK_THAT("Huygens's body and Euler's move as their equations of motion say, on
     const double slack = 1e-13 * phi0;
     const char* const why = "ten swings, and the clock's bound at each";
     const auto frames = now.points("three", 9);
-    std::vector<Fifty> times;
-    for(const auto& frame : frames)
-      times.push_back(frame.at("t") / unit);
     for(const std::string name : {"huygens", "euler"})
     {
       if(name == "euler" && !(truncated(2, ratio)(cos(start)) > 0))
         continue;
-      const auto r = truncated(name == "euler" ? 2 : 0, ratio);
-      const auto places = places_by_motion(r, ratio, start, times);
+      const Cheeks cheeks = name == "euler" ? Cheeks::euler_k4 : Cheeks::cycloids;
+      const auto places = places_between(frames, cheeks, ratio, start, unit);
       for(std::size_t i = 0; i < frames.size(); ++i)
       {
         const On_curve& at = places[i];
@@ -306,13 +303,7 @@ CHECK_THAT("the third body is on the exact curve, and the root of its height is 
   {
     const Fifty T = exact::pi() * sqrt((1 + pow(K.fifty(), 2)) * a.fifty() / (2 * g.fifty()));
     const auto frames = now.points("three", 14);
-    std::vector<Fifty> so_many, angles;
-    for(const auto& frame : frames)
-    {
-      so_many.push_back(frame.at("t") / T);
-      angles.emplace_back(frame.at("exact_phi"));
-    }
-    const auto exactly = on_highest(K.fifty(), phi0.fifty(), so_many, angles);
+    const auto exactly = on_highest(frames, K.fifty(), phi0.fifty(), T);
     for(std::size_t i{0}; i < frames.size(); ++i)
     {
       const auto& frame = frames[i];

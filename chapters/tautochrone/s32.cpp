@@ -119,10 +119,7 @@ TELL
   for(int i = 5; i <= 75 && i * 1_deg < last; i += 5)
   {
     const double here = i * 1_deg;
-    // How far it is from the cycloid's, in fifty digits: of a small body that may be less than a rounding.
-    const auto off = [&](auto of) -> double {
-      return double(of(a.fifty(), k.fifty(), Fifty(here)) - of(a.fifty(), Fifty(0), Fifty(here)));
-    };
+    const auto off = [&](auto of) { return off_huygens(of, a.fifty(), k.fifty(), Fifty(here)); };
     rows.row({here, euler_r<double>(a, k, here), euler_x<double>(a, k, here), euler_y<double>(a, k, here),
               off(euler_x<Fifty>), off(euler_y<Fifty>)});
   }

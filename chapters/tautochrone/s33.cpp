@@ -318,16 +318,13 @@ CHECK_THAT(
   {
     const Fifty unit = sqrt(a.fifty() / g.fifty()) / 2, ratio = K.fifty(), start = phi0.fifty();
     const auto frames = now.points("wound", 7);
-    std::vector<Fifty> times;
-    for(const auto& frame : frames)
-      times.push_back(frame.at("t") / unit);
     CHECK(now.value("wound_huygens") == within_relative(1 - cos(start), 2e-15, "a square"));
     CHECK(now.value("wound_euler")
           == within_relative(1 - truncated(2, ratio)(cos(start)), 2e-14, "the bound"));
     for(const std::string name : {"huygens", "euler"})
     {
-      const auto r = truncated(name == "euler" ? 2 : 0, ratio);
-      const auto places = places_by_motion(r, ratio, start, times);
+      const Cheeks cheeks = name == "euler" ? Cheeks::euler_k4 : Cheeks::cycloids;
+      const auto places = places_between(frames, cheeks, ratio, start, unit);
       for(std::size_t i{0}; i < frames.size(); ++i)
       {
         const On_curve& at = places[i];
@@ -355,13 +352,7 @@ CHECK_THAT("the third body is on the exact curve where the cosine of the time ha
     CHECK(now.value("wound_exact")
           == within_relative(1 - highest(K.fifty(), phi0.fifty()), 1e-13, "the library's bound"));
     const auto frames = now.points("wound", 23);
-    std::vector<Fifty> swings, angles;
-    for(const auto& frame : frames)
-    {
-      swings.push_back(frame.at("t") / T);
-      angles.emplace_back(frame.at("exact_phi"));
-    }
-    const auto places = on_highest(K.fifty(), phi0.fifty(), swings, angles);
+    const auto places = on_highest(frames, K.fifty(), phi0.fifty(), T);
     for(std::size_t i{0}; i < frames.size(); ++i)
     {
       const auto& frame = frames[i];

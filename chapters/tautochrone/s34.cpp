@@ -102,10 +102,7 @@ TELL
   for(int i = 5; i <= 60 && i * 1_deg < last; i += i < 30 ? 5 : 10)
   {
     const double here = i * 1_deg;
-    // How far it is from the cycloid's, in fifty digits: of a small body that may be less than a rounding.
-    const auto off = [&](auto of) -> double {
-      return double(of(a.fifty(), k.fifty(), Fifty(here)) - of(a.fifty(), Fifty(0), Fifty(here)));
-    };
+    const auto off = [&](auto of) { return off_huygens(of, a.fifty(), k.fifty(), Fifty(here)); };
     rows.row({here, euler_p<double>(a, k, here), euler_q<double>(a, k, here), off(euler_p<Fifty>),
               off(euler_q<Fifty>)});
   }

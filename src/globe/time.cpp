@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "elementary/processor.hpp"
 #include "elliptic/carlson.hpp"
 #include "globe/gauss.hpp"
 
@@ -70,18 +71,9 @@ double plain_rest(double r, double v, int n)
   return rest_in_blocks(r, v, n);
 }
 
-Rest widest()
-{
-  __builtin_cpu_init();
-  if(__builtin_cpu_supports("avx512f"))
-    return avx512_rest;
-  return __builtin_cpu_supports("avx2") ? avx2_rest : plain_rest;
-}
+constexpr Rest variants[] = {plain_rest, avx2_rest, avx512_rest};
 #else
-Rest widest()
-{
-  return plain_rest;
-}
+constexpr Rest variants[] = {plain_rest};
 #endif
 
 template <class Real>
@@ -125,7 +117,7 @@ double separatrix_time(const double& c, const double& k, const double& omega)
     return time_by_carlson(c, k, omega);
   const double v = std::cos(omega);
   require_way_to_top(c, k, omega, v);
-  static const Rest rest = widest();
+  static const Rest rest = variants[elementary::variants_that_run() - 1];
   return k * (std::asinh(v / std::sin(omega)) + rest(r, v, r <= 0.5 ? 16 : 32));
 }
 

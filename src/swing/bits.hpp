@@ -63,8 +63,18 @@ SWING_INLINE double magnitude(double x)
 {
   return __builtin_fabs(x);
 }
+/// The same of several.
+SWING_INLINE Wide magnitude(Wide x)
+{
+  return from_bits(bits_of(x) & ~sign_bit);
+}
 /// x, and −x where `sign` is the bit of the sign.
 SWING_INLINE double with_sign(double x, std::uint64_t sign)
+{
+  return from_bits(bits_of(x) ^ sign);
+}
+/// The same of several.
+SWING_INLINE Wide with_sign(Wide x, Wide_bits sign)
 {
   return from_bits(bits_of(x) ^ sign);
 }

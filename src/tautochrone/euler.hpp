@@ -181,4 +181,13 @@ Real euler_q(const Real& a, const Real& k, const Real& phi)
 }
 // [cheek]
 
+/// How far one of these lengths is off Huygens's, which has k = 0. It is reckoned in fifty digits: of a small
+/// body it may be less than a rounding.
+inline double off_huygens(exact::Fifty (*length)(const exact::Fifty& a, const exact::Fifty& k,
+                                                 const exact::Fifty& phi),
+                          const exact::Fifty& a, const exact::Fifty& k, const exact::Fifty& phi)
+{
+  return static_cast<double>(length(a, k, phi) - length(a, 0, phi));
+}
+
 }  // namespace tautochrone

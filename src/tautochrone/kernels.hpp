@@ -66,7 +66,7 @@ using Find = void (*)(const Step& step, const double* angles, Places& places);
 /// The variants that this machine can run, the fastest last.
 struct Variants
 {
-  int count = 0;                      ///< how many
+  std::size_t count = 0;              ///< how many
   std::array<Sum, 3> sum{};           ///< the loops over a swing
   std::array<Find, 3> find{};         ///< those over the places of a curve
   std::array<const char*, 3> name{};  ///< "sse2", "avx2", "avx512", or "portable"

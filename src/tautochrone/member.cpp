@@ -579,7 +579,7 @@ Position at(Member member, double k, double phi)
 std::vector<Position> along(Member member, double k, const std::vector<double>& angles)
 {
   const kernels::Variants& variants = kernels::variants();
-  return along(member, k, angles, variants.find[static_cast<size_t>(variants.count - 1)]);
+  return along(member, k, angles, variants.find[variants.count - 1]);
 }
 
 std::vector<Position> along(Member member, double k, const std::vector<double>& angles, kernels::Find find)

@@ -53,7 +53,7 @@ Path::Path(const exact::Laurent<double>& r, double k)
 double Path::swing_time(double phi0) const
 {
   const kernels::Variants& variants = kernels::variants();
-  return swing_time(phi0, variants.sum[static_cast<std::size_t>(variants.count - 1)]);
+  return swing_time(phi0, variants.sum[variants.count - 1]);
 }
 
 double Path::swing_time(double phi0, kernels::Sum sum) const

@@ -62,6 +62,26 @@ inline std::vector<Judged_frame> judged(const std::vector<edition::ToldRow>& fra
   return result;
 }
 
+/// The times of these frames, which tell seconds, in this unit.
+inline std::vector<exact::Fifty> times_of(const std::vector<edition::ToldRow>& frames,
+                                          const exact::Fifty& unit)
+{
+  std::vector<exact::Fifty> times;
+  for(const edition::ToldRow& frame : frames)
+    times.push_back(frame.at("t") / unit);
+  return times;
+}
+
+/// Where in these frames a body should be that is let go at φ₀ between cycloids or Euler's cheeks with both
+/// corrections. `unit` is that of Euler's clock in seconds.
+inline std::vector<On_curve> places_between(const std::vector<edition::ToldRow>& frames, Cheeks cheeks,
+                                            const exact::Fifty& k, const exact::Fifty& phi0,
+                                            const exact::Fifty& unit)
+{
+  return places_by_motion(truncated(cheeks == Cheeks::cycloids ? 0 : 2, k), k, phi0,
+                          times_of(frames, unit));
+}
+
 /// The places on the highest exact tautochrone, so many swings after the body was let go at φ₀, where the root of the
 /// height is a cosine of the time; each found from an angle that is right to 1e-9. Good to 1e-15. Domain: 0.02 ≤ k ≤ 0.9,
 /// φ₀ ≤ the end.
@@ -144,6 +164,16 @@ inline std::vector<On_curve> on_highest(const exact::Fifty& k, const exact::Fift
     }
   }
   return places;
+}
+
+/// The same in these frames, each found from its "exact_phi"; T is the time of a swing in seconds.
+inline std::vector<On_curve> on_highest(const std::vector<edition::ToldRow>& frames, const exact::Fifty& k,
+                                        const exact::Fifty& phi0, const exact::Fifty& T)
+{
+  std::vector<exact::Fifty> near;
+  for(const edition::ToldRow& frame : frames)
+    near.emplace_back(frame.at("exact_phi"));
+  return on_highest(k, phi0, times_of(frames, T), near);
 }
 
 }  // namespace tautochrone

@@ -1,5 +1,7 @@
 #include "tautochrone/kernels.hpp"
 
+#include "elementary/processor.hpp"
+
 namespace tautochrone::kernels
 {
 
@@ -17,23 +19,15 @@ void find_portable(const Step& step, const double* angles, Places& places);
 
 const Variants& variants()
 {
-  static const Variants found = [] {
 #if defined(__x86_64__)
-    __builtin_cpu_init();
-    Variants all{1,
-                 {sum_sse2, sum_avx2, sum_avx512},
-                 {find_sse2, find_avx2, find_avx512},
-                 {"sse2", "avx2", "avx512"}};
-    if(__builtin_cpu_supports("avx2"))
-      all.count = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")
-                          && __builtin_cpu_supports("avx512vl")
-                      ? 3
-                      : 2;
-    return all;
+  static const Variants found{elementary::variants_that_run(),
+                              {sum_sse2, sum_avx2, sum_avx512},
+                              {find_sse2, find_avx2, find_avx512},
+                              {"sse2", "avx2", "avx512"}};
 #else
-    return Variants{1, {sum_portable}, {find_portable}, {"portable"}};
+  static const Variants found{
+      elementary::variants_that_run(), {sum_portable}, {find_portable}, {"portable"}};
 #endif
-  }();
   return found;
 }
 

@@ -16,6 +16,7 @@ import { formulasIn, readable, roomy, texOf } from '../../book/tex.mjs';
 
 const katex = packages('katex');
 const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../..');
+const edition = JSON.parse(fs.readFileSync(path.join(root, 'book/edition.json'), 'utf8'));
 let place;
 before(() => {
   place = fs.mkdtempSync(path.join(os.tmpdir(), 'weave-'));
@@ -202,7 +203,6 @@ const drawing =
 function weave(spoil = () => {}, ...options) {
   const source = fs.mkdtempSync(path.join(place, 'source-'));
   const build = fs.mkdtempSync(path.join(place, 'build-'));
-  const chapters = ['tautochrone', 'balance', 'pendulum', 'globe'];
   const files = {
     [`${source}/chapters/pendulum/s11.cpp`]: section,
     [`${source}/figures/pendulum-11.gp`]: figure,
@@ -226,7 +226,7 @@ function weave(spoil = () => {}, ...options) {
     [`${source}/CMakeLists.txt`]: 'project(euler-on-oscillation VERSION 1.0.0)\n',
     [`${source}/figures/style.gp`]: fs.readFileSync(path.join(root, 'figures/style.gp'), 'utf8'),
   };
-  for (const c of chapters) files[`${source}/chapters/${c}/chapter.md`] = `# ${c}\n\nIt opens.\n`;
+  for (const { id } of edition.chapters) files[`${source}/chapters/${id}/chapter.md`] = `# ${id}\n\nIt opens.\n`;
   spoil({
     replace(name, from, to) {
       const key = Object.keys(files).find((k) => k.endsWith(name));

@@ -368,15 +368,11 @@ int main(int argc, char** argv)
       }};
   Json json = race::begun(asked, BALANCE_COMPILER, BALANCE_FLAGS);
   race::leave_out(json, asked, bench::sundials::left_out());
-  json["scenes"] = Json::array();
   for(const auto& make : scenes)
   {
     const Scene scene = make();
-    if(!asked.wants(scene.name))
-      continue;
-    json["scenes"].push_back(report(scene, asked.options()));
-    if(!asked.as_json)
-      print(json["scenes"].back());
+    race::add_scene(
+        json, asked, scene.name, [&] { return report(scene, asked.options()); }, print);
   }
   return race::ended(json, asked);
 }

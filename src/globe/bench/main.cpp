@@ -75,14 +75,9 @@ int main(int argc, char** argv)
          argc, argv, true))
     return *status;
   Json json = race::begun(asked, GLOBE_COMPILER, GLOBE_FLAGS);
-  json["scenes"] = Json::array();
   for(const bench::Lazy& lazy : bench::all_scenes())
-  {
-    if(!asked.wants(lazy.name))
-      continue;
-    json["scenes"].push_back(report(lazy.make(), asked.errors_only, asked.options()));
-    if(!asked.as_json)
-      print(json["scenes"].back(), asked.errors_only);
-  }
+    race::add_scene(
+        json, asked, lazy.name, [&] { return report(lazy.make(), asked.errors_only, asked.options()); },
+        [&](const Json& made) { print(made, asked.errors_only); });
   return race::ended(json, asked);
 }

@@ -1,13 +1,10 @@
 #include "scenes.hpp"
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
-#include <random>
 #include <utility>
 
-#include <boost/math/policies/policy.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/ellint_3.hpp>
 #include <boost/math/special_functions/ellint_rd.hpp>
@@ -24,6 +21,7 @@
 #include "globe/rolling.hpp"
 #include "globe/smooth.hpp"
 #include "globe/time.hpp"
+#include "race/bench/parts.hpp"
 
 namespace bench
 {
@@ -32,32 +30,13 @@ namespace
 
 using exact::Fifty;
 using namespace globe;
-namespace policies = boost::math::policies;
-
-// Boost's own default, which computes in long double, and the one that stays in double.
-using Overflow = policies::overflow_error<policies::ignore_error>;
-using Domain = policies::domain_error<policies::ignore_error>;
-using Promoting = policies::policy<policies::promote_double<true>, Overflow, Domain>;
-using DoubleOnly = policies::policy<policies::promote_double<false>, Overflow, Domain>;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t many = 100000;
 
 const Ball<double> ball = our_ball<double>;
 const double k = ball.k, c = ball.c;
 
-std::vector<double> spread(std::uint64_t seed, std::size_t n, double low, double high)
-{
-  std::mt19937_64 engine(seed);
-  std::vector<double> x(n);
-  for(double& y : x)
-    y = low + (high - low) * std::ldexp(static_cast<double>(engine() >> 11), -53);
-  return x;
-}
-
 std::vector<double> powers_of_ten(std::uint64_t seed, std::size_t n, double low, double high)
 {
-  std::vector<double> x = spread(seed, n, low, high);
+  std::vector<double> x = uniform(seed, n, low, high);
   for(double& y : x)
     y = std::pow(10, y);
   return x;
@@ -217,7 +196,7 @@ Scene to_the_top(double ratio)
 std::shared_ptr<std::vector<Energy<double>>> energies(bool near_top)
 {
   auto e = std::make_shared<std::vector<Energy<double>>>();
-  for(const double below : near_top ? powers_of_ten(6, many, -15, -3) : spread(6, many, 0.01, 1))
+  for(const double below : near_top ? powers_of_ten(6, many, -15, -3) : uniform(6, many, 0.01, 1))
     e->push_back(energy_from_top(below));
   return e;
 }
@@ -272,7 +251,7 @@ Scene rolling_time()
 {
   const auto e = energies(false);
   const auto at = std::make_shared<std::vector<Place<double>>>();
-  const std::vector<double> part = spread(7, many, 0.01, 0.99);
+  const std::vector<double> part = uniform(7, many, 0.01, 0.99);
   for(std::size_t i = 0; i < many; ++i)
     at->push_back(place(2 * std::asin(std::sqrt((*e)[i].h)) * part[i]));
   Scene s{"rolling to a place",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -121,10 +122,23 @@ inline void put_times(Json& row, const Timing& timing)
   row["ratio"] = three_digits(timing.ratio);
 }
 
+/// Adds a scene to the report if it is wanted: `made` is what is reported of it, `print` shows that where no
+/// JSON is asked for.
+inline void add_scene(Json& report, const Asked& asked, const std::string& name,
+                      const std::function<Json()>& made, const std::function<void(const Json&)>& print)
+{
+  if(!asked.wants(name))
+    return;
+  Json& scenes = report["scenes"];
+  scenes.push_back(made());
+  if(!asked.as_json)
+    print(scenes.back());
+}
+
 /// Ends the report; the program's status.
 inline int ended(const Json& report, const Asked& asked)
 {
-  if(report.at("scenes").empty())
+  if(!report.contains("scenes"))
   {
     std::cerr << "--scene: " << asked.scene << "; allowed: a part of a scene's name\n";
     return 2;

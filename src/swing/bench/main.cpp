@@ -126,14 +126,9 @@ int main(int argc, char** argv)
   for(std::size_t v = 0; v < swing::kernels::count(); ++v)
     json["tiers"].push_back(swing::kernels::variant(v).name);
   race::leave_out(json, asked, bench::libraries::left_out());
-  json["scenes"] = Json::array();
   for(const bench::Scene& scene : bench::all_scenes())
-  {
-    if(!asked.wants(scene.name))
-      continue;
-    json["scenes"].push_back(report(scene, asked.errors_only, asked.options()));
-    if(!asked.as_json)
-      print(json["scenes"].back(), asked.errors_only);
-  }
+    race::add_scene(
+        json, asked, scene.name, [&] { return report(scene, asked.errors_only, asked.options()); },
+        [&](const Json& made) { print(made, asked.errors_only); });
   return race::ended(json, asked);
 }

@@ -17,15 +17,6 @@ double gsl_value(int status, double value)
   return status == GSL_SUCCESS ? value : not_a_number;
 }
 
-std::vector<double> uniform(std::uint64_t seed, std::size_t n, double a, double b)
-{
-  std::mt19937_64 engine(seed);
-  std::vector<double> x(n);
-  for(double& y : x)
-    y = a + (b - a) * std::ldexp(static_cast<double>(engine() >> 11), -53);
-  return x;
-}
-
 // Uniform in the logarithm to base 2, by exact scaling alone so that the numbers are the same everywhere.
 std::vector<double> logarithmic(std::uint64_t seed, std::size_t n, int octaves)
 {

@@ -4,40 +4,22 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <boost/math/policies/policy.hpp>
-
 #include "exact/fifty.hpp"
+#include "race/bench/parts.hpp"
 #include "scenes.hpp"
 
 namespace bench
 {
 
-/// Boost's own default, which computes in long double, and the one that stays in double.
-/// Where they fail they give an infinity or a NaN; what an exception costs is not counted against them.
-using Overflow = boost::math::policies::overflow_error<boost::math::policies::ignore_error>;
-/// The same.
-using Domain = boost::math::policies::domain_error<boost::math::policies::ignore_error>;
-/// Boost's own default, which computes in long double.
-using Promoting =
-    boost::math::policies::policy<boost::math::policies::promote_double<true>, Overflow, Domain>;
-/// The one that stays in double.
-using DoubleOnly =
-    boost::math::policies::policy<boost::math::policies::promote_double<false>, Overflow, Domain>;
-
-/// What a peer without an answer gives.
-inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 /// A degree in radians.
 inline constexpr double degree = std::numbers::pi / 180;
 /// So many of the first arguments are judged.
 inline constexpr std::size_t judged = 2000;
-/// So many arguments has a scene: too many for the processor to learn their order.
-inline constexpr std::size_t many = 100000;
 
 /// A method from a function of one number; what it throws becomes NaN.
 template <class Function>
@@ -63,9 +45,6 @@ Method each(std::string name, std::string kind, Function f)
 
 /// What a function of GSL returns, NaN where it fails.
 double gsl_value(int status, double value);
-
-/// n numbers spread evenly from a to b.
-std::vector<double> uniform(std::uint64_t seed, std::size_t n, double a, double b);
 
 /// Uniform in the logarithm to base 2, by exact scaling alone so that the numbers are the same everywhere.
 std::vector<double> logarithmic(std::uint64_t seed, std::size_t n, int octaves);

@@ -121,18 +121,10 @@ SWING_INLINE void read_motion(const Rows& rows, const double* t, double* out, st
     {
       Wide c[row_length];
       read_columns<row_length>(r.row->c, x.row + i, c);
-      using Bits = std::uint64_t __attribute__((vector_size(sizeof(Wide))));
-      Bits sign;
-      __builtin_memcpy(&sign, x.sign + i, sizeof sign);
-      const Bits signed_value = __builtin_bit_cast(Bits, phase::polynomial(c, load(x.distance + i))) ^ sign;
-      Wide value = __builtin_bit_cast(Wide, signed_value);
+      Wide value = with_sign(phase::polynomial(c, load(x.distance + i)), load<bits::Wide_bits>(x.sign + i));
       if constexpr(turning)
         value = phase::turned(r, load(x.n + i), value);
-      if(size - i >= width)
-        __builtin_memcpy(out + start + i, &value, sizeof value);
-      else
-        for(std::size_t j = i; j < size; ++j)
-          out[start + j] = value[j - i];
+      store_first(size - i, value, out + start + i);
     }
   }
 }

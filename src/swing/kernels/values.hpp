@@ -30,12 +30,6 @@ struct Arguments
   alignas(64) std::uint64_t centre[few];
 };
 
-template <class Vector, class Number>
-SWING_INLINE void store(const Vector& x, Number* out)
-{
-  __builtin_memcpy(out, &x, sizeof x);
-}
-
 template <class Table>
 SWING_INLINE Wide in_domain(Wide x)
 {
@@ -141,11 +135,7 @@ SWING_INLINE void read_rows(const Arguments& a, double* out, std::size_t size)
     }
     const Wide outside = given == 0.0 ? Wide{} + inf : Wide{} + nan;
     value = ((given > 0.0) & (given <= Table::last)) ? value : outside;
-    if(size - i >= width)
-      store(value, out + i);
-    else
-      for(std::size_t j = i; j < size; ++j)
-        out[j] = value[j - i];
+    store_first(size - i, value, out + i);
   }
 }
 
@@ -173,19 +163,16 @@ void table_loop(const double* in, double* out, std::size_t n)
   }
 }
 
-// |x|.
-SWING_INLINE Wide magnitude(Wide x)
-{
-  return bits::from_bits(bits::bits_of(x) & ~bits::sign_bit);
-}
-
 // What a table is asked for, from what is given: `inexact` with what that lacks.
 struct By_modulus
 {
   using Table = rows::K_by_modulus;
   static constexpr bool inexact = false;
-  SWING_INLINE static Wide argument(Wide k) { return 1.0 - magnitude(k); }
-  SWING_INLINE static auto place_of(Wide k, Wide x) { return rows::place_of_modulus(magnitude(k), x); }
+  SWING_INLINE static Wide argument(Wide k) { return 1.0 - bits::magnitude(k); }
+  SWING_INLINE static auto place_of(Wide k, Wide x)
+  {
+    return rows::place_of_modulus(bits::magnitude(k), x);
+  }
 };
 
 template <class Of>

@@ -23,11 +23,28 @@ constexpr std::size_t block = 128;
 using bits::Wide;
 using bits::width;
 
-SWING_INLINE Wide load(const double* x)
+template <class Vector = Wide, class Number>
+SWING_INLINE Vector load(const Number* x)
 {
-  Wide wide;
+  Vector wide;
   __builtin_memcpy(&wide, x, sizeof wide);
   return wide;
+}
+
+template <class Vector, class Number>
+SWING_INLINE void store(const Vector& x, Number* out)
+{
+  __builtin_memcpy(out, &x, sizeof x);
+}
+
+// The first n of them, or all where n is more.
+SWING_INLINE void store_first(std::size_t n, Wide x, double* out)
+{
+  if(n >= width)
+    store(x, out);
+  else
+    for(std::size_t i = 0; i < n; ++i)
+      out[i] = x[i];
 }
 
 // Of a and b number by number in turn those in even places, and those in odd places.
@@ -94,7 +111,7 @@ SWING_INLINE void write_rows(Wide* column, double* rows)
     transpose(column + j);
 #pragma GCC unroll 8
     for(unsigned i = 0; i < width; ++i)
-      __builtin_memcpy(rows + i * row_length + j, &column[j + i], sizeof column[j + i]);
+      store(column[j + i], rows + i * row_length + j);
   }
 }
 

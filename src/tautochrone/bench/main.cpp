@@ -232,19 +232,15 @@ int main(int argc, char** argv)
     return *status;
   Json json = race::begun(asked, TAUTOCHRONE_COMPILER, TAUTOCHRONE_FLAGS);
   race::leave_out(json, asked, bench::sundials::left_out());
-  json["scenes"] = Json::array();
   for(const Member member : {Member::highest, Member::widest})
     for(const double k : {0.02, 0.1, 0.3, 0.7, 0.99})
     {
-      const auto show = [&](const Scene& scene) {
-        if(!asked.wants(scene.name))
-          return;
-        json["scenes"].push_back(report(scene, asked.options()));
-        if(!asked.as_json)
-          print(json["scenes"].back());
+      const auto add_scene = [&](const Scene& scene) {
+        race::add_scene(
+            json, asked, scene.name, [&] { return report(scene, asked.options()); }, print);
       };
-      show(one_place(member, k, 0.8));
-      show(whole_curve(member, k));
+      add_scene(one_place(member, k, 0.8));
+      add_scene(whole_curve(member, k));
     }
   return race::ended(json, asked);
 }
