@@ -215,7 +215,9 @@ std::vector<std::string> Told::methods(const char* race) const
   return names;
 }
 
-Settings::Settings(std::vector<std::string> settings) : settings_(std::move(settings)) {}
+Settings::Settings(std::span<const std::string_view> settings) : settings_(settings.begin(), settings.end())
+{
+}
 
 Settings::~Settings()
 {

@@ -119,7 +119,7 @@ class Settings
 {
 public:
   /// See told_at().
-  explicit Settings(std::vector<std::string> settings);
+  explicit Settings(std::span<const std::string_view> settings);
   Settings(const Settings&) = delete;
   Settings& operator=(const Settings&) = delete;
   ~Settings();
@@ -162,10 +162,11 @@ private:
 /// What the section says at each of some settings: `""` is the reader's own (the defaults, unless `--check` came
 /// with parameters), `"zeta=150 b=2"` the defaults but for these, written as on the command line. A setting that
 /// the section refuses throws.
-template <class... Text>
+template <std::convertible_to<std::string_view>... Text>
 Settings told_at(const Text&... settings)
 {
-  return Settings({std::string(settings)...});
+  const std::string_view each[] = {settings...};
+  return Settings(each);
 }
 
 /// True when the section refuses this setting, as the command line would.
