@@ -227,21 +227,17 @@ double agm(double a, double b)
   return 0.5 * a + 0.5 * b;
 }
 
-// In 1 − k the one is taken from the row that is read most: where the caches are cold, what lies elsewhere
-// must be fetched too.
 double K(double k)
 {
   using Table = rows::K_by_modulus;
-  const auto& f = bits::as_stored(Table::stored);
-  const double modulus = bits::magnitude(k);
-  const double x = f.rows[Table::up_to_half][3] - modulus;
+  const double x = bits::made(1) - k;
   if(rows::beyond_start<Table>(x) <= rows::reach<Table>) [[likely]]
   {
-    const auto place = rows::place_of_modulus(modulus, x);
-    const double* const c = f.rows[place.row];
+    const auto place = rows::place_of_modulus(k, x);
+    const double* const c = Table::stored.rows[place.row];
     return rounded(value_of_row(c, place.x - c[0]));
   }
-  return rounded_value_outside<Table>(Exact{x});
+  return std::signbit(k) ? K(-k) : rounded_value_outside<Table>(Exact{x});
 }
 
 double K_from_complement(double kc)
@@ -274,10 +270,11 @@ double ratio_from_bottom(double zeta)
 {
   if(!(zeta >= 0 && zeta <= pi_hi))
     return nan;
-  const double nearly = pi_hi - zeta;
-  const double eta = nearly + pi_lo;
-  const double lost = (pi_hi - nearly) - zeta;
-  return rounded_value<rows::Ratio_by_eta>(Inexact{eta, (nearly - eta) + (lost + pi_lo)});
+  const double half_turn = bits::made(pi_hi), beyond = bits::made(pi_lo);
+  const double nearly = half_turn - zeta;
+  const double eta = nearly + beyond;
+  const double lost = (half_turn - nearly) - zeta;
+  return rounded_value<rows::Ratio_by_eta>(Inexact{eta, (nearly - eta) + (lost + beyond)});
 }
 
 double ratio(Amplitude a)
