@@ -1,12 +1,13 @@
 // What all sections of a chapter tell in another build (EDITION_BESIDE: another processor, compiler or C++ library) is what they
-// tell here, to the last bit: with Euler's numbers and with three other settings, and what came of their checks. Usage:
-// node beside.mjs CHAPTER HERE COMMAND... (HERE: all-sections of this build; COMMAND: the other's, with what runs it.)
-// Not part of the tests' every run: ./euler test aarch64, libc++ or clang.
+// tell here, to the last bit: with Euler's numbers and with three other settings; and what came of their checks, unless those
+// would take hours, the other processor being emulated. Usage: node beside.mjs CHAPTER checks|telling HERE COMMAND... (HERE:
+// all-sections of this build; COMMAND: the other's, with what runs it.) Not part of the tests' every run: ./euler test aarch64,
+// libc++ or clang.
 import { readdirSync } from 'node:fs';
 import { Program, differing, placeless } from './book/program.mjs';
 import { settings } from './book/settings.mjs';
 
-const [chapter, ...commands] = process.argv.slice(2);
+const [chapter, extent, ...commands] = process.argv.slice(2);
 const [here, there] = [commands.slice(0, 1), commands.slice(1)].map((command) => new Program(command));
 const folder = new URL(`../chapters/${chapter}`, import.meta.url);
 const sections = readdirSync(folder).flatMap((file) => /^s(\d\d)\.cpp$/.exec(file)?.[1] ?? []);
@@ -51,6 +52,7 @@ for (const section of sections) {
     await asked(given);
     count.settings += 1;
   }
+  if (extent !== 'checks') continue;
   const [one, other] = await Promise.all([here, there].map((p) => p.ask('check', program, {})));
   count.claims += one.checked.cases.reduce((n, c) => n + c.claims.length, 0);
   compare(`${program} checked`, placeless(one.checked), placeless(other.checked));
