@@ -72,9 +72,11 @@ export function texOf(text) {
 const symbol = /[√∫−=<>/·×±≈≤≥½⅓⅔¼¾⅛⅜⅝⅞²³⁴⁵⁶⁷⁸⁹ⁿ\p{Script=Greek}]|(?<!\p{L})(?:sin|cos|cot|tang?|tg|ln|log)(?!\p{L})/u;
 const letters = /^(?:(\p{L})\1|dd?\p{L}|l\p{L}|sin|cos|tang?|cot|tg|ln|log|etc)$/u;
 const plainWords = /^(?:do|day|due|did|a|I|'s)$/;
-const ofFormula = (piece) =>
+const label = /^\(?\(?\p{L}?\d*\)$/u; // (A), 2), and what closes a bracket that stands open
+const ofFormula = (piece, inside) =>
   piece !== '' &&
-  !/^\(?\(?\p{L}?\d*\)$|§|['’"“”]/u.test(piece) &&
+  (inside || !label.test(piece)) &&
+  !/§|['’"“”]/u.test(piece) &&
   !plainWords.test(piece) &&
   [...piece.matchAll(/(\d?)([A-Za-z]{2,})/g)].every(([, digit, word]) => letters.test(word) || (digit && word.length < 3)) &&
   (texOf(piece.replace(/[()[\]]/g, '')) !== null || /^√?[()[\]]*$/.test(piece));
@@ -92,7 +94,11 @@ export function formulasIn(text) {
   const out = [''];
   for (let from = 0; from < pieces.length; ) {
     let to = from; // behind the run that begins here
-    while (to < pieces.length && ofFormula(pieces[to][1]) && (to === from || !pieces[to - 1][2])) to += 1;
+    let open = 0; // brackets in it
+    while (to < pieces.length && ofFormula(pieces[to][1], open > 0) && (to === from || !pieces[to - 1][2])) {
+      open += [...pieces[to][1]].reduce((sum, c) => sum + (c === '(' ? 1 : c === ')' ? -1 : 0), 0);
+      to += 1;
+    }
     const run = pieces.slice(from, to).map(([, core]) => core).join(' ');
     const before = from && (!pieces[from - 1][2] || !pieces[from - 1][1]) ? pieces[from - 1][1] : undefined;
     const after = to < pieces.length && to > from && !pieces[to - 1][2] ? pieces[to][1] : undefined;

@@ -639,6 +639,7 @@ test('a check that fails is shown as failing', () => {
 
 test('numbers are rounded on their decimals and written as prose and as mathematics', () => {
   const text = (value, spec, unit = '') => asText(format({ value, unit }, spec));
+  assert.deepEqual(formulasIn('(a−s)²(c − ∫(a−s)dφ sin φ) over kk'), ['', '(a-s)^{2}(c-\\int (a-s)dφ\\sin φ)', ' over kk']);
   for (const [value, spec, written] of [
     [1.1803405990160963, '', '1.18034'],
     [1.1803405990160963, '8', '1.1803406'],
