@@ -18,6 +18,9 @@ export { escape };
 export const asProduct = /\\mathrm\{[a-z]{2,}\}/;
 export const productSaid = "a function's name is \\operatorname{…}; with \\mathrm it is read as a product of its letters";
 
+/** A sign of relation that ends a column: it keeps no room between itself and what follows it. */
+const cramped = /[=<>]\s*&(?!&)/;
+
 /**
  * KaTeX, remembered by content in a file: a formula that was set once is not set again. What the weaver has put into
  * a formula (names of told numbers, signs of the apparatus) is not in the TeX that a reader copies.
@@ -262,6 +265,7 @@ export class Page {
       cells = row ? cells || bars : 0;
       if (asProduct.test(line)) this.fault(this.line + i, productSaid);
       for (const [typed, name] of handTyped(line, this.section?.told.values ?? []))
+      if (cramped.test(line)) this.fault(this.line + i, 'a sign before & has no room behind it: it is written &= or ={}&');
         this.fault(this.line + i, `${typed} is typed by hand; the program tells it: {{${name}}}`);
     });
   }

@@ -29,12 +29,12 @@ $$ \begin{aligned} \sqrt{kk+rr} &= \frac{r\sin\varphi\sqrt{kk+aa}}{\sqrt{2ax}}, 
 
 and by differentiation
 
-$$ \begin{aligned} a\,dx = &\frac{(aa+kk)\,rr\,d\varphi\sin\varphi\cos\varphi}{kk+rr} \\
+$$ \begin{aligned} a\,dx ={}& \frac{(aa+kk)\,rr\,d\varphi\sin\varphi\cos\varphi}{kk+rr} \\
   &+ \frac{(aa+kk)\,kk\,r\,dr\sin^2\varphi}{(kk+rr)^2{{entry square}}}. \end{aligned} \tag{3} $$
 
 With the value of $dx$ from {{eq 1}} and divided by $r\sin\varphi$ it becomes
 
-$$ \begin{aligned} a\,d\varphi = &\frac{(aa+kk)\,r\,d\varphi\cos\varphi}{kk+rr} \\
+$$ \begin{aligned} a\,d\varphi ={}& \frac{(aa+kk)\,r\,d\varphi\cos\varphi}{kk+rr} \\
   &+ \frac{(aa+kk)\,kk\,dr\sin\varphi}{(kk+rr)^2}. \end{aligned} \tag{4} $$
 
 ::: margin

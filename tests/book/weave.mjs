@@ -368,6 +368,11 @@ const faults = {
     /s11\.cpp:LINE: \\tag\{x\}: Euler's formulae have numbers/,
     '$$ x = 1',
   ],
+  'a sign that ends a column': [
+    ['s11.cpp', '$$ x = 1', '$$ \\begin{aligned} x = & 1 \\end{aligned}'],
+    /s11\.cpp:LINE: a sign before & has no room behind it/,
+    '$$ \\begin{aligned}',
+  ],
   'a number typed by hand': [
     ['s11.cpp', 'It is {{half|f2}}.', 'It is 0.500.'],
     /s11\.cpp:LINE: 0\.500 is typed by hand; the program tells it: \{\{half\}\}/,
