@@ -7,7 +7,7 @@ import { escape } from './escape.mjs';
 import { packages } from './packages.mjs';
 import { asTeX, asText, fits, format, handTyped } from './numbers.mjs';
 import { isWord, rows } from './table.mjs';
-import { roomy } from './tex.mjs';
+import { breaking, clauses, roomy } from './tex.mjs';
 
 const MarkdownIt = packages('markdown-it');
 const katex = packages('katex');
@@ -35,17 +35,18 @@ export class Formulas {
   /** The HTML of a formula; throws KaTeX's error when it does not parse. */
   set(tex, displayMode, toCopy = tex) {
     const key = createHash('sha256')
-      .update(`${katex.version} 4 ${displayMode} ${tex}`)
+      .update(`${katex.version} 5 ${displayMode} ${tex}`)
       .digest('base64url');
     this.used[key] =
       this.known[key] ??
-      katex
-        .renderToString(displayMode ? roomy(tex) : tex, {
+      clauses(
+        katex.renderToString(displayMode ? breaking(roomy(tex)) : tex, {
           displayMode,
           throwOnError: true,
           trust: ({ command }) => ['\\htmlData', '\\htmlId', '\\htmlClass', '\\href'].includes(command),
           strict: (code) => (code === 'htmlExtension' ? 'ignore' : 'error'),
-        })
+        }),
+      )
         .replace(/(<annotation[^>]*>)[^]*?(?=<\/annotation>)/, (_, tag) => tag + escape(toCopy))
         .replace(/<mo href="[^"]*"/g, '<mo')
         .replace(/<a (?=[^>]*href)/g, '<a tabindex="-1" ');
@@ -264,8 +265,8 @@ export class Page {
         );
       cells = row ? cells || bars : 0;
       if (asProduct.test(line)) this.fault(this.line + i, productSaid);
-      for (const [typed, name] of handTyped(line, this.section?.told.values ?? []))
       if (cramped.test(line)) this.fault(this.line + i, 'a sign before & has no room behind it: it is written &= or ={}&');
+      for (const [typed, name] of handTyped(line, this.section?.told.values ?? []))
         this.fault(this.line + i, `${typed} is typed by hand; the program tells it: {{${name}}}`);
     });
   }

@@ -178,6 +178,41 @@ export function roomy(tex) {
   return places.sort((a, b) => b.from - a.from).reduce((out, { from, to }) => `${out.slice(0, from)}[10pt]${out.slice(to)}`, tex);
 }
 
+/** TeX that may break behind a wide space, where two formulae stand side by side; see clauses(). */
+export const breaking = (tex) => (tex.includes('\\begin') ? tex : tex.replace(/\\q?quad(?![A-Za-z])\s*/g, '$&\\allowbreak '));
+
+/**
+ * KaTeX's HTML for a column that may be too narrow: formulae that stand side by side are each in a span of its own, and what
+ * is in brackets, if it is short, in one that does not break.
+ */
+export function clauses(html) {
+  const base = '<span class="katex-base">';
+  const side = '<span class="mspace allowbreak"></span>';
+  const from = html.indexOf(base);
+  const to = html.length - '</span>'.length * (html.startsWith('<span class="katex-display">') ? 3 : 2);
+  if (from < 0) return html;
+  const all = [['']];
+  let open = 0; // brackets
+  let run = [];
+  // A bracket with an exponent is one in another of its kind.
+  const count = (text, kind) => text.match(new RegExp(`<span class="${kind}\\b[^>]*>(?!<span class="${kind}\\b)`, 'g'))?.length ?? 0;
+  const close = () => {
+    const whole = run.length > 1 && run.length < 4 && !open;
+    all.at(-1).push(whole ? `<span class="whole">${run.join('')}</span>` : run.join(''));
+    [run, open] = [[], 0];
+  };
+  for (const piece of html.slice(from, to).split(base).slice(1)) {
+    run.push(base + piece.replace(side, ''));
+    open += count(piece, 'mopen') - count(piece, 'mclose');
+    if (open <= 0) close();
+    if (!open && piece.includes(side)) all.push(['']);
+  }
+  close();
+  const set = all.map((clause) => clause.join(''));
+  const body = set.length > 1 ? set.map((clause) => `<span class="clause">${clause}</span>`).join('') : set[0];
+  return html.slice(0, from).replaceAll('<mspace></mspace>', '') + body + html.slice(to);
+}
+
 /** HTML with every formula replaced by `what(its TeX)`. */
 export function withoutFormulas(html, what) {
   let out = '';
