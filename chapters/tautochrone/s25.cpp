@@ -48,11 +48,11 @@ leave the place $r = a$ together, and differ by multiples of φ to the power $(a
 tautochrone for the same body, with the same time, as far as its cheek goes: to where $dr = 0$. Two have
 their ends in finite terms. The one that lets the pendulum rise highest ends at
 
-$$ \operatorname{tg}\varphi = \frac{a-k}{\sqrt{ak}}, \qquad x = \frac{(a-k)^2}{2a}, \tag{A} $$
+$$ \tan\varphi = \frac{a-k}{\sqrt{ak}}, \qquad x = \frac{(a-k)^2}{2a}, \tag{A} $$
 
 the one that lets it swing widest at
 
-$$ \varphi = 90° - 2\operatorname{arctg}\frac ka, \qquad r = k. \tag{B} $$
+$$ \varphi = 90° - 2\arctan\frac ka, \qquad r = k. \tag{B} $$
 
 Through every place with $a(kk+rr) \le (aa+kk)\,r\cos\varphi$ passes one of them.
 
@@ -174,14 +174,15 @@ For $k = \tfrac3{10}a$ the highest curve has at 40° the radius {{r_highest|8}} 
 {{end_widest|deg2}}.
 
 ::: figure tautochrone-25
-alt: The plane of angle and radius for k three tenths of a. Seven curves start together at angle zero and
-radius one and spread downwards like a fan. A dotted line bounds them above on the right and has its tip
+alt: The plane of angle and radius for k three tenths of a. Seven tautochrones start together at angle zero
+and radius one and spread downwards like a fan. A dotted line bounds them above on the right and has its tip
 at 57 degrees; the curves that reach it end there level. Euler's curve starts with them, crosses the
 others and runs down to the dotted line.
 
 Tautochrones of one body, $k = \tfrac3{10}a$: all leave the place $r = a$ of the vertical together, and
 all have the same time. Dotted, where $dr = 0$: beyond it no cheek can go. In blue the highest and the
-widest; in red, for comparison, Euler's curve of {{sec tautochrone.30}}.
+widest, to their ends; in green five others, as far as the places by which they were chosen; in vermilion, for
+comparison, Euler's curve of {{sec tautochrone.30}}.
 :::
 
 ## Speed against error
@@ -515,7 +516,7 @@ CHECK_THAT("told the outer value the polynomial is good to the last digits with 
     }
 }
 
-CHECK_THAT("in the figure every curve satisfies (4) between its points, Euler's is § 30's, and the dashed "
+CHECK_THAT("in the figure every curve satisfies (4) between its points, Euler's is § 30's, and the dotted "
            "line has dr = 0")
 {
   for(const Told& now : told_at(""))
