@@ -7,7 +7,7 @@ import { escape } from './escape.mjs';
 import { packages } from './packages.mjs';
 import { asTeX, asText, fits, format, handTyped } from './numbers.mjs';
 import { isWord, rows } from './table.mjs';
-import { roomy } from './tex.mjs';
+import { breaking, clauses, roomy } from './tex.mjs';
 
 const MarkdownIt = packages('markdown-it');
 const katex = packages('katex');
@@ -17,6 +17,9 @@ export { escape };
 /** A function's name set as though it were a product of letters, as KaTeX's MathML then says; and what is said of it. */
 export const asProduct = /\\mathrm\{[a-z]{2,}\}/;
 export const productSaid = "a function's name is \\operatorname{…}; with \\mathrm it is read as a product of its letters";
+
+/** A sign of relation that ends a column: it keeps no room between itself and what follows it. */
+const cramped = /[=<>]\s*&(?!&)/;
 
 /**
  * KaTeX, remembered by content in a file: a formula that was set once is not set again. What the weaver has put into
@@ -32,17 +35,18 @@ export class Formulas {
   /** The HTML of a formula; throws KaTeX's error when it does not parse. */
   set(tex, displayMode, toCopy = tex) {
     const key = createHash('sha256')
-      .update(`${katex.version} 4 ${displayMode} ${tex}`)
+      .update(`${katex.version} 5 ${displayMode} ${tex}`)
       .digest('base64url');
     this.used[key] =
       this.known[key] ??
-      katex
-        .renderToString(displayMode ? roomy(tex) : tex, {
+      clauses(
+        katex.renderToString(displayMode ? breaking(roomy(tex)) : tex, {
           displayMode,
           throwOnError: true,
           trust: ({ command }) => ['\\htmlData', '\\htmlId', '\\htmlClass', '\\href'].includes(command),
           strict: (code) => (code === 'htmlExtension' ? 'ignore' : 'error'),
-        })
+        }),
+      )
         .replace(/(<annotation[^>]*>)[^]*?(?=<\/annotation>)/, (_, tag) => tag + escape(toCopy))
         .replace(/<mo href="[^"]*"/g, '<mo')
         .replace(/<a (?=[^>]*href)/g, '<a tabindex="-1" ');
@@ -261,6 +265,7 @@ export class Page {
         );
       cells = row ? cells || bars : 0;
       if (asProduct.test(line)) this.fault(this.line + i, productSaid);
+      if (cramped.test(line)) this.fault(this.line + i, 'a sign before & has no room behind it: it is written &= or ={}&');
       for (const [typed, name] of handTyped(line, this.section?.told.values ?? []))
         this.fault(this.line + i, `${typed} is typed by hand; the program tells it: {{${name}}}`);
     });

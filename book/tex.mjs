@@ -72,9 +72,11 @@ export function texOf(text) {
 const symbol = /[√∫−=<>/·×±≈≤≥½⅓⅔¼¾⅛⅜⅝⅞²³⁴⁵⁶⁷⁸⁹ⁿ\p{Script=Greek}]|(?<!\p{L})(?:sin|cos|cot|tang?|tg|ln|log)(?!\p{L})/u;
 const letters = /^(?:(\p{L})\1|dd?\p{L}|l\p{L}|sin|cos|tang?|cot|tg|ln|log|etc)$/u;
 const plainWords = /^(?:do|day|due|did|a|I|'s)$/;
-const ofFormula = (piece) =>
+const label = /^\(?\(?\p{L}?\d*\)$/u; // (A), 2), and what closes a bracket that stands open
+const ofFormula = (piece, inside) =>
   piece !== '' &&
-  !/^\(?\(?\p{L}?\d*\)$|§|['’"“”]/u.test(piece) &&
+  (inside || !label.test(piece)) &&
+  !/§|['’"“”]/u.test(piece) &&
   !plainWords.test(piece) &&
   [...piece.matchAll(/(\d?)([A-Za-z]{2,})/g)].every(([, digit, word]) => letters.test(word) || (digit && word.length < 3)) &&
   (texOf(piece.replace(/[()[\]]/g, '')) !== null || /^√?[()[\]]*$/.test(piece));
@@ -92,7 +94,11 @@ export function formulasIn(text) {
   const out = [''];
   for (let from = 0; from < pieces.length; ) {
     let to = from; // behind the run that begins here
-    while (to < pieces.length && ofFormula(pieces[to][1]) && (to === from || !pieces[to - 1][2])) to += 1;
+    let open = 0; // brackets in it
+    while (to < pieces.length && ofFormula(pieces[to][1], open > 0) && (to === from || !pieces[to - 1][2])) {
+      open += [...pieces[to][1]].reduce((sum, c) => sum + (c === '(' ? 1 : c === ')' ? -1 : 0), 0);
+      to += 1;
+    }
     const run = pieces.slice(from, to).map(([, core]) => core).join(' ');
     const before = from && (!pieces[from - 1][2] || !pieces[from - 1][1]) ? pieces[from - 1][1] : undefined;
     const after = to < pieces.length && to > from && !pieces[to - 1][2] ? pieces[to][1] : undefined;
@@ -170,6 +176,41 @@ export function roomy(tex) {
     } else tall(array);
   }
   return places.sort((a, b) => b.from - a.from).reduce((out, { from, to }) => `${out.slice(0, from)}[10pt]${out.slice(to)}`, tex);
+}
+
+/** TeX that may break behind a wide space, where two formulae stand side by side; see clauses(). */
+export const breaking = (tex) => (tex.includes('\\begin') ? tex : tex.replace(/\\q?quad(?![A-Za-z])\s*/g, '$&\\allowbreak '));
+
+/**
+ * KaTeX's HTML for a column that may be too narrow: formulae that stand side by side are each in a span of its own, and what
+ * is in brackets, if it is short, in one that does not break.
+ */
+export function clauses(html) {
+  const base = '<span class="katex-base">';
+  const side = '<span class="mspace allowbreak"></span>';
+  const from = html.indexOf(base);
+  const to = html.length - '</span>'.length * (html.startsWith('<span class="katex-display">') ? 3 : 2);
+  if (from < 0) return html;
+  const all = [['']];
+  let open = 0; // brackets
+  let run = [];
+  // A bracket with an exponent is one in another of its kind.
+  const count = (text, kind) => text.match(new RegExp(`<span class="${kind}\\b[^>]*>(?!<span class="${kind}\\b)`, 'g'))?.length ?? 0;
+  const close = () => {
+    const whole = run.length > 1 && run.length < 4 && !open;
+    all.at(-1).push(whole ? `<span class="whole">${run.join('')}</span>` : run.join(''));
+    [run, open] = [[], 0];
+  };
+  for (const piece of html.slice(from, to).split(base).slice(1)) {
+    run.push(base + piece.replace(side, ''));
+    open += count(piece, 'mopen') - count(piece, 'mclose');
+    if (open <= 0) close();
+    if (!open && piece.includes(side)) all.push(['']);
+  }
+  close();
+  const set = all.map((clause) => clause.join(''));
+  const body = set.length > 1 ? set.map((clause) => `<span class="clause">${clause}</span>`).join('') : set[0];
+  return html.slice(0, from).replaceAll('<mspace></mspace>', '') + body + html.slice(to);
 }
 
 /** HTML with every formula replaced by `what(its TeX)`. */

@@ -14,5 +14,5 @@ plot tsv("tautochrone-26.defects") using "phi":"circle" with lines linetype 6, \
      "" using "phi":"k4" with lines linetype 2, \
      "" every ::20::20 using "phi":"circle":("circle") with labels left offset 0, 0.9 textcolor linetype 6, \
      "" every ::40::40 using "phi":"cycloid":("Huygens’s cycloid") with labels center offset 0, 1.0 textcolor linetype 3, \
-     "" every ::30::30 using "phi":"kk":("Euler, with {/:Italic P}") with labels center offset 0, 1.1 textcolor linetype 5, \
+     "" every ::30::30 using "phi":"kk":("Euler, with {/:Italic P}") with labels right offset 1, 0.8 textcolor linetype 5, \
      "" every ::24::24 using "phi":"k4":("with {/:Italic P} and {/:Italic Q}") with labels left offset 1, -0.7 textcolor linetype 2

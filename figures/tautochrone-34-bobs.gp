@@ -15,7 +15,7 @@ set yrange [-1.12:0.06]
 set label "{/:Italic A}" at 0, 0.035 center textcolor linetype 7
 set label "Huygens’s" at HY_max, -HX_max - 0.065 center textcolor linetype 3
 set label "Euler’s" at EY_max + 0.02, -EX_max - 0.075 center textcolor linetype 2
-set label "exact" at XY_max + 0.035, -XX_max left textcolor linetype 1
+set label "exact" at XY_max + 0.055, -XX_max left textcolor linetype 1
 plot arcs using (column("kind") == 2 ? column("y") : NaN):(-column("down")) with lines linetype 6, \
      arcs using (column("kind") == 0 ? column("q") : NaN):(-column("p")) with lines linetype 3, \
      arcs using (column("kind") == 1 ? column("q") : NaN):(-column("p")) with lines linetype 2, \

@@ -18,7 +18,7 @@ $$ dd\Phi = \frac{-(2gc\,dt^2 + ac\,d\Phi^2){{entry both_negative}}\sin\Phi}{aa+
 
 and its integral gives $2g\,dt^2$. With that put in, one factor goes out of the first member:
 
-$$ \begin{aligned} dd\Phi = &\frac{-c\,d\Phi^2\sin\Phi}{2C+2c\cos\Phi{{entry twice_C}}} \\
+$$ \begin{aligned} dd\Phi ={}& \frac{-c\,d\Phi^2\sin\Phi}{2C+2c\cos\Phi{{entry twice_C}}} \\
    &- \frac{ac\,d\Phi^2\sin\Phi}{aa+cc+kk-2ac\cos\Phi}. \end{aligned} \tag{2} $$
 
 The denominator of the fraction that is sought, $ddx$, follows,

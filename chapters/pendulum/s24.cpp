@@ -32,7 +32,7 @@ $$
 The third he reduces by a well-known rule,
 
 $$ \begin{aligned} \int\frac{dv}{v^3}{{entry differential}}\,l\left(1+\sqrt{1-vv}\right)
-   = &-\frac{1}{2vv}\,l\left(1+\sqrt{1-vv}\right) \\
+   ={}& -\frac{1}{2vv}\,l\left(1+\sqrt{1-vv}\right) \\
    &- \tfrac12\int\frac{dv}{v^3}\cdot\frac{1-\sqrt{1-vv}}{\sqrt{1-vv}}. \end{aligned} \tag{4} $$
 
 ::: margin

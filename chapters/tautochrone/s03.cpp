@@ -99,7 +99,7 @@ TELL
 
 /*!
 A body with $k = \tfrac1{10}a$ that swings 5° loses {{late_circle|4}} s in a day on a fixed axis, and
-{{late|3}} s between Huygens's cheeks: {{left|2}} of the fault stay. So the extension of the body is a
+{{late|3}} s between Huygens's cheeks: {{left|2}} of the fault is left. So the extension of the body is a
 cause, and one that can be calculated; but the cheeks are still much better than none. Whether it was this
 that made the makers give them up, the numbers do not say.
 

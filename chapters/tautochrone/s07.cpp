@@ -28,7 +28,7 @@ swings in equal times. That is the plan of the paper: the motion on any curve in
 
 ::: margin
 The path is the *involute* of the cheek, the cheek the evolute of the path: the place of its centres of
-curvature. (Huygens's words, and still ours.)
+curvature.
 :::
 
 That one curve makes the other can be seen with corners. Let the cheek be a polygon that has its corners
@@ -212,6 +212,8 @@ With only {{n}} sides the polygon leads the body, where its thread has turned by
 
 {{table sides}}
 
+{{table corners}}
+
 ::: figure tautochrone-07
 alt: From A a polygon of four sides hangs down to the right, with its corners on a cycloid. From each corner
 two straight threads go down to the path of the body, and between them the path is an arc of a circle; the
@@ -317,7 +319,7 @@ CHECK_THAT("the centre of three places is as far from M as told, and equally far
   }
 }
 
-CHECK_THAT("three times as many sides lead astray nine times less")
+CHECK_THAT("where the sides are many, three times as many lead astray nearly nine times less")
 {
   for(const Told& now : told_at(""))
   {

@@ -11,8 +11,8 @@ using namespace tautochrone;
 ## What Euler does
 
 In any other position the pendulum turns at the first instant no longer about $A$ but about $M$, where it
-leaves the cheek, and its centre of oscillation is another. Call it $H$. It is not as far from the centre of
-gravity $G$ as $D$ is from $C$ in the position of rest, because the pendulum has become shorter, $MG$
+leaves the cheek, and its centre of oscillation is another. Call it $H$. Its distance from the centre of
+gravity $G$ is not that of $D$ from $C$ in the position of rest, because the pendulum has become shorter, $MG$
 instead of $AC$: its axis has moved on to $M$. The rule is the same ({{sec tautochrone.09}}); and as it gave
 $CD = \frac{kk}{AC}$, it now gives
 
@@ -90,7 +90,7 @@ TELL
 
 /*!
 With $k = \tfrac3{10}a$ and a swing of 60°, $GH$ has at 30° grown from {{CD|4}} m to {{GH|5}} m. But $GZ$ is
-{{GZ|5}} m, less by {{short_of_H|1}}: to take $H$ for $Z$ would be no small error.
+{{GZ|5}} m, less by {{short_of_H|3}}: to take $H$ for $Z$ would be no small error.
 
 ::: figure tautochrone-10
 alt: A cheek hangs from A to the right. From it five straight threads go down to the curve of G. Below that

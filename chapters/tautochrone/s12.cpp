@@ -141,7 +141,7 @@ TELL
 
 /*!
 With swings of one degree and a time that is right to a millionth, {{eq 1}} yields for $k = \tfrac1{10}a$ not
-{{by_gain|3}} m but {{found|6}} m, too much by {{amiss|2}}; of that {{amiss_width|2}} come from the width of
+{{by_gain|3}} m but {{found|6}} m, too much by {{amiss|2}}; of that {{amiss_width|2}} comes from the width of
 the swings, though they are "very small".
 
 ::: figure tautochrone-12

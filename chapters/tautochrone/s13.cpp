@@ -102,7 +102,7 @@ TELL
 
 /*!
 At {{phi}} of a swing to {{phi0}} the centre of gravity moves with {{velocity|6}} metres a second, and
-{{share|percent3}} of the store of motion are in the rotation.
+{{share|percent3}} of the store of motion is in the rotation.
 
 ::: figure tautochrone-13
 alt: The share of the rotation against the angle of the thread. Three curves, for k a tenth, two tenths and

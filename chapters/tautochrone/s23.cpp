@@ -46,10 +46,17 @@ const auto k = real("k", 0.1, metres, scale, "radius of gyration");
 const auto phi0 = angle("phi0", 1_deg, open(0_deg, 60_deg), "how far the pendulum swings to either side");
 const auto g = real("g", 4.903325, metres, scale, "height fallen in the first second, half of today's g");
 
-constexpr std::pair<const char*, Cheeks> all_cheeks[]{{"circle", Cheeks::none},
-                                                      {"cycloid", Cheeks::cycloids},
-                                                      {"euler_kk", Cheeks::euler_kk},
-                                                      {"euler_k4", Cheeks::euler_k4}};
+struct Hanging
+{
+  const char* name;
+  Cheeks cheeks;
+  const char* meaning;
+};
+
+constexpr Hanging all_cheeks[]{{"circle", Cheeks::none, "a swing on a fixed axis"},
+                               {"cycloid", Cheeks::cycloids, "a swing between Huygens's cheeks"},
+                               {"euler_kk", Cheeks::euler_kk, "between Euler's, with one correction"},
+                               {"euler_k4", Cheeks::euler_k4, "and with both"}};
 
 double in_seconds(double time)  // from Euler's clock, a = 1
 {
@@ -62,10 +69,9 @@ TELL
   tell("CD", k / a * k, metres, "kk/a, how far D is below C");
   tell("f", a + k / a * k, metres, "AD, the length of the isochronous simple pendulum, (3)");
   tell("T_0", in_seconds(small_swing(k / a)), seconds, "an infinitely small swing");
-  for(const auto& [name, cheeks] : all_cheeks)
+  for(const auto& [name, cheeks, meaning] : all_cheeks)
     if(phi0 < largest_amplitude(cheeks, k / a))
-      tell(name, in_seconds(swing_time(cheeks, k / a, phi0)), seconds,
-           "a swing between these cheeks, or on a fixed axis");
+      tell(name, in_seconds(swing_time(cheeks, k / a, phi0)), seconds, meaning);
 }
 
 TELL
@@ -74,7 +80,7 @@ TELL
     for(int i = 1; i <= 120; ++i)
     {
       std::vector<double> row{i / 4.0};
-      for(const auto& [name, cheeks] : all_cheeks)
+      for(const auto& [name, cheeks, meaning] : all_cheeks)
         row.push_back(swing_time(cheeks, 0.3, i * 0.25_deg) / small_swing(0.3));
       out.put(row);
     }
@@ -107,7 +113,7 @@ CHECK_THAT("the smallest swings, out to 10⁻⁸ of a radian, have the time of (
     CHECK(now.value("CD", metres) == within_relative(a.fifty() * small * small, 1e-15, "two roundings"));
     CHECK(now.value("f", metres) == within_relative(f, 1e-15, "three roundings"));
     CHECK(now.value("T_0", seconds) == within_relative(T, 2e-15, "two ulps and three roundings"));
-    for(const auto& [name, cheeks] : all_cheeks)
+    for(const auto& [name, cheeks, meaning] : all_cheeks)
     {
       const int order = cheeks == Cheeks::cycloids ? 0 : cheeks == Cheeks::euler_kk ? 1 : 2;
       const auto r = cheeks == Cheeks::none ? exact::Laurent<Fifty>(1) : truncated(order, small);

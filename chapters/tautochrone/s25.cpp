@@ -29,12 +29,12 @@ $$ \begin{aligned} \sqrt{kk+rr} &= \frac{r\sin\varphi\sqrt{kk+aa}}{\sqrt{2ax}}, 
 
 and by differentiation
 
-$$ \begin{aligned} a\,dx = &\frac{(aa+kk)\,rr\,d\varphi\sin\varphi\cos\varphi}{kk+rr} \\
+$$ \begin{aligned} a\,dx ={}& \frac{(aa+kk)\,rr\,d\varphi\sin\varphi\cos\varphi}{kk+rr} \\
   &+ \frac{(aa+kk)\,kk\,r\,dr\sin^2\varphi}{(kk+rr)^2{{entry square}}}. \end{aligned} \tag{3} $$
 
 With the value of $dx$ from {{eq 1}} and divided by $r\sin\varphi$ it becomes
 
-$$ \begin{aligned} a\,d\varphi = &\frac{(aa+kk)\,r\,d\varphi\cos\varphi}{kk+rr} \\
+$$ \begin{aligned} a\,d\varphi ={}& \frac{(aa+kk)\,r\,d\varphi\cos\varphi}{kk+rr} \\
   &+ \frac{(aa+kk)\,kk\,dr\sin\varphi}{(kk+rr)^2}. \end{aligned} \tag{4} $$
 
 ::: margin
@@ -48,11 +48,11 @@ leave the place $r = a$ together, and differ by multiples of φ to the power $(a
 tautochrone for the same body, with the same time, as far as its cheek goes: to where $dr = 0$. Two have
 their ends in finite terms. The one that lets the pendulum rise highest ends at
 
-$$ \operatorname{tg}\varphi = \frac{a-k}{\sqrt{ak}}, \qquad x = \frac{(a-k)^2}{2a}, \tag{A} $$
+$$ \tan\varphi = \frac{a-k}{\sqrt{ak}}, \qquad x = \frac{(a-k)^2}{2a}, \tag{A} $$
 
 the one that lets it swing widest at
 
-$$ \varphi = 90° - 2\operatorname{arctg}\frac ka, \qquad r = k. \tag{B} $$
+$$ \varphi = 90° - 2\arctan\frac ka, \qquad r = k. \tag{B} $$
 
 Through every place with $a(kk+rr) \le (aa+kk)\,r\cos\varphi$ passes one of them.
 
@@ -174,14 +174,15 @@ For $k = \tfrac3{10}a$ the highest curve has at 40° the radius {{r_highest|8}} 
 {{end_widest|deg2}}.
 
 ::: figure tautochrone-25
-alt: The plane of angle and radius for k three tenths of a. Seven curves start together at angle zero and
-radius one and spread downwards like a fan. A dotted line bounds them above on the right and has its tip
+alt: The plane of angle and radius for k three tenths of a. Seven tautochrones start together at angle zero
+and radius one and spread downwards like a fan. A dotted line bounds them above on the right and has its tip
 at 57 degrees; the curves that reach it end there level. Euler's curve starts with them, crosses the
 others and runs down to the dotted line.
 
 Tautochrones of one body, $k = \tfrac3{10}a$: all leave the place $r = a$ of the vertical together, and
 all have the same time. Dotted, where $dr = 0$: beyond it no cheek can go. In blue the highest and the
-widest; in red, for comparison, Euler's curve of {{sec tautochrone.30}}.
+widest, to their ends; in green five others, as far as the places by which they were chosen; in vermilion, for
+comparison, Euler's curve of {{sec tautochrone.30}}.
 :::
 
 ## Speed against error
@@ -305,8 +306,7 @@ TELL
       {"backwards, 10⁻⁷", [=] { return follow(small, last.phi, last.r, to, 1e-7, Stepper::runge_kutta); }});
   for(const Integrator& by : integrators)
     ways.push_back({std::string("backwards, ") + by.name,
-                    [=] { return follow(small, last.phi, last.r, to, by.each, by.stepper); },
-                    "GSL, backwards"});
+                    [=] { return follow(small, last.phi, last.r, to, by.each, by.stepper); }});
   ways.push_back(
       {"forwards, 10⁻¹³", [=] { return follow(small, 5_deg, r5, to, 1e-13, Stepper::runge_kutta); }});
   for(const int n : {16, 32, 64})
@@ -321,7 +321,7 @@ TELL
   race("r", "r/a", highest(k.fifty() / a.fifty(), phi.fifty()), ways);
   std::vector<Method> whole{{"flow, on one way", [=] { return mean_by_flow(small, to); }}};
   for(const Integrator& by : integrators)
-    whole.push_back({by.name, [=] { return mean_by(by, small, to); }, "GSL, backwards"});
+    whole.push_back({by.name, [=] { return mean_by(by, small, to); }});
   race("mean", "r/a at 64 angles, their mean", mean_exactly(k.fifty() / a.fifty(), to), whole);
 }
 
@@ -516,7 +516,7 @@ CHECK_THAT("told the outer value the polynomial is good to the last digits with 
     }
 }
 
-CHECK_THAT("in the figure every curve satisfies (4) between its points, Euler's is § 30's, and the dashed "
+CHECK_THAT("in the figure every curve satisfies (4) between its points, Euler's is § 30's, and the dotted "
            "line has dr = 0")
 {
   for(const Told& now : told_at(""))

@@ -26,7 +26,7 @@ $$ 2\,CQ = \frac{AD\cdot GS^2}{MG\cdot MH}. \tag{2} $$
 
 If from $S$ the straight line $ST$ is drawn at right angles to $GM$, then $GT = GS^2 : MG$, and
 
-$$ \begin{gathered} 2\,CQ = \frac{AD\cdot GT}{MH}, \\ AD : MH = 2\,CQ : GT, \\
+$$ \begin{gathered} 2\,CQ = \frac{AD\cdot GT}{MH}, \\[6pt] AD : MH = 2\,CQ : GT, \\
   AD : 2\,CQ = MH : GT. \end{gathered} \tag{3} $$
 
 In this neat property the nature of the tautochrone is laid open.
@@ -79,8 +79,8 @@ TELL
   tell("MH", is.MH, metres, "of that for M from M");
   tell("GS", is.GS, metres, "from G to the vertical through M");
   tell("GT", is.GT, metres, "from G to the foot of the perpendicular from S");
-  tell("twice_CQ_by_MH", 2 * is.CQ / is.AD, "2CQ : AD");
-  tell("AD_by_GT", is.GT / is.MH, "GT : MH, which must be the same");
+  tell("twice_CQ_by_AD", 2 * is.CQ / is.AD, "2CQ : AD");
+  tell("GT_by_MH", is.GT / is.MH, "GT : MH, which must be the same");
   const auto missed = [=](const char* name, Cheeks cheeks, const char* meaning) {
     if(phi < largest_amplitude(cheeks, small))
       tell(name, defect(cheeks, small, phi), meaning);
@@ -142,8 +142,8 @@ CHECK_THAT("the lengths told are those of the exact curve, whose height is the i
     CHECK(now.value("MH", metres) == within_relative(a.fifty() * MH, 5e-14, why));
     CHECK(now.value("GS", metres) == within_relative(a.fifty() * r * s, 5e-14, why));
     CHECK(now.value("GT", metres) == within_relative(a.fifty() * GT, 5e-14, why));
-    CHECK(now.value("twice_CQ_by_MH") == within_relative(GT / MH, 5e-14, why));
-    CHECK(now.value("AD_by_GT") == within_relative(GT / MH, 5e-14, why));
+    CHECK(now.value("twice_CQ_by_AD") == within_relative(GT / MH, 5e-14, why));
+    CHECK(now.value("GT_by_MH") == within_relative(GT / MH, 5e-14, why));
   }
   for(const double to : {0.2, 0.6, 0.9})
   {

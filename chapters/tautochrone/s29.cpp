@@ -89,7 +89,7 @@ TELL
 }
 
 /*!
-At 30° the radius is shortened by {{correction|e3}} of $a$.
+At 30° the radius is changed by {{correction|e3}} of $a$.
 
 ::: figure tautochrone-29
 alt: Three curves against the angle. The squared sine rises to 0.88 at 70 degrees, the difference of the

@@ -189,17 +189,18 @@ TELL
 
 /*!
 ::: scene three
-alt: Three bobs at the same height on the right, on three curves that differ little: valleys open upwards,
+alt: Three bobs near each other at the right ends of three curves that differ little: valleys open upwards,
 drawn in three colours.
 
-Ten swings in true time: blue on the exact tautochrone, green on Huygens's cycloid, red on Euler's curve; the
+Ten swings in true time: blue on the exact tautochrone, green on Huygens's cycloid, vermilion on Euler's; the
 length is $a$, the bodies have $k = K a$. At {{phi0|deg0}}, with $K = {{K}}$, a swing on the cycloid is longer
 by {{huygens_late|percent1}}, on Euler's curve by {{euler_late|percent1}}: that is where his series has ceased
-to help. From 25° the red one keeps with the blue one to a hundredth of a swing. A curve that does not rise to
+to help. From 25° Euler's keeps with the blue one to a hundredth of a swing. A curve that does not rise to
 $\varphi_0$ is missing.
 :::
 
-With $k = \tfrac1{10}a$, at {{phi|deg0}}, the arc is {{z|12}}; {{nodes}} places give {{z_by_rule|12}}.
+With $k = \tfrac1{10}a$, at {{phi|deg0}}, the arc is {{z|12}} m; {{nodes}} places give
+{{z_by_rule|12}} m.
 
 ::: figure tautochrone-31
 alt: The relative error of the arc against the number of places of Gauss's rule, logarithmic. At 30

@@ -218,8 +218,8 @@ TELL
 alt: From one point hang three pairs of short cheeks that differ little, like nested beaks. Three threads lie
 on the right ones and go down, straight, to three bobs close to each other.
 
-Six swings in true time: blue between the exact cheeks, green between Huygens's, red between Euler's. Each
-cheek is drawn as far as its thread comes to lie on it. Let go at {{phi0|deg0}}, with $K = {{K}}$, on
+Six swings in true time: blue between the exact cheeks, green between Huygens's, vermilion between Euler's.
+Each cheek is drawn as far as its thread comes to lie on it. Let go at {{phi0|deg0}}, with $K = {{K}}$, on
 Huygens's cheek lie {{wound_huygens|3}} of the thread, on Euler's {{wound_euler|3}}, on the exact one
 {{wound_exact|3}}. That the free part becomes shorter makes up for the time that the turning of the body
 costs in a wide swing. At 10° Euler's cheek takes up less than the exact one, at 40° more.

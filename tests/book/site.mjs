@@ -76,6 +76,16 @@ function judged() {
           break;
         }
       }
+    for (const formula of document.querySelectorAll('main .katex-display')) {
+      let [above, below, right] = [-Infinity, -Infinity, -Infinity]; // the row before, this row, and how far it has come
+      for (const piece of formula.querySelectorAll('.katex-base')) {
+        const box = piece.getBoundingClientRect();
+        if (!box.height) continue;
+        if (box.left < right - 1) [above, below] = [below, -Infinity];
+        [below, right] = [Math.max(below, box.bottom), box.right];
+        if (box.top < above + 4) say('a broken formula whose rows touch', formula.querySelector('annotation'));
+      }
+    }
     for (const block of document.querySelectorAll('pre.told'))
       if (block.scrollWidth > block.clientWidth + 1) say('the program’s words are cut', block);
   }

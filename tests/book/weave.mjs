@@ -12,7 +12,7 @@ import { packages } from '../../book/packages.mjs';
 import { blocks, named } from '../../book/section.mjs';
 import { rows } from '../../book/table.mjs';
 import { asked, folded } from '../../book/search.mjs';
-import { formulasIn, readable, roomy, texOf } from '../../book/tex.mjs';
+import { breaking, clauses, formulasIn, readable, roomy, texOf } from '../../book/tex.mjs';
 
 const katex = packages('katex');
 const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../..');
@@ -368,6 +368,11 @@ const faults = {
     /s11\.cpp:LINE: \\tag\{x\}: Euler's formulae have numbers/,
     '$$ x = 1',
   ],
+  'a sign that ends a column': [
+    ['s11.cpp', '$$ x = 1', '$$ \\begin{aligned} x = & 1 \\end{aligned}'],
+    /s11\.cpp:LINE: a sign before & has no room behind it/,
+    '$$ \\begin{aligned}',
+  ],
   'a number typed by hand': [
     ['s11.cpp', 'It is {{half|f2}}.', 'It is 0.500.'],
     /s11\.cpp:LINE: 0\.500 is typed by hand; the program tells it: \{\{half\}\}/,
@@ -610,6 +615,19 @@ test('rows of fractions that follow each other are given room, and no others', (
   assert.ok(height(roomy(two(''))) > height(two('')) + 0.3);
 });
 
+test('formulae that stand side by side may part, brackets do not', () => {
+  const set = (tex) => clauses(katex.renderToString(breaking(tex), { displayMode: true, strict: 'error' }));
+  const both = set('a = \\frac12, \\qquad b = 3');
+  assert.equal(both.split('<span class="clause"><span class="katex-base">').length, 3);
+  assert.equal(both.match(/<span\b/g).length, both.match(/<\/span>/g).length);
+  assert.ok(!/allowbreak|<mspace><\/mspace>/.test(both.replace(/<annotation[^]*?<\/annotation>/, '')));
+  for (const one of ['a = f(b + c) + d', 'a = f + (b + c)^2', 'a + \\bigl(b + c\\bigr)^2'])
+    assert.equal(set(one).split('<span class="whole">').length, 2);
+  assert.ok(!set('a + (b + c + d + e + f)').includes('whole')); // too long to be kept together
+  for (const one of ['a = b + c', 'a, b) + c', '(a + b', '\\begin{gathered} a, \\qquad b \\end{gathered}'])
+    assert.equal(set(one), katex.renderToString(one, { displayMode: true }));
+});
+
 test('readings become formulae where they are ones, and readable again where they are searched', () => {
   assert.equal(texOf('dz/(1 − zz)'), 'dz/(1-zz)');
   assert.equal(texOf('1,1805'), '1{,}1805');
@@ -622,6 +640,7 @@ test('readings become formulae where they are ones, and readable again where the
   assert.deepEqual(formulasIn('its derivative must be 1/sinⁿ⁺¹ω, here at v = ½'), [
     'its derivative must be ', '1/\\sin ^{n+1}ω', ', here at ', 'v=\\tfrac12 ', '',
   ]); // prettier-ignore
+  assert.deepEqual(formulasIn('(a−s)²(c − ∫(a−s)dφ sin φ) over kk'), ['', '(a-s)^{2}(c-\\int (a-s)dφ\\sin φ)', ' over kk']);
   for (const words of ['the longer (maius)', 'GZ : GH = 1.11', 'dds is a ddΦ', 'a 3 read or set as a 5', '(1) with c', 't√2gc'])
     assert.deepEqual(formulasIn(words), [words]); // what is no formula, or may be none
   assert.equal(readable('\\frac{t\\sqrt{2g}}{\\sqrt b} = \\tfrac12\\ln 2^{-3}'), '(t√(2g))/(√b) = ½ln 2⁻³');
