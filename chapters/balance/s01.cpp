@@ -63,10 +63,10 @@ const auto hung = [] {
 };
 const auto pulled = [] { return Full_state{{0, 0, n, 0}, {}}; };
 
-double pan()
+double pan()  // μ
 {
   return std::sqrt(2 * designed.beam.g / designed.beam.b);
-}  // μ
+}
 
 struct Reach  // the farthest from the vertical
 {
