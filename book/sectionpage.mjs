@@ -226,7 +226,7 @@ export function sectionPage(s, book) {
     .replace(/^\s*## .*$/m, '')
     .trim()
     .split(/\n\s*\n/)[0]
-    .replace(/\{\{entry \w+\}\}/g, '');
+    .replace(/\s*\{\{entry \w+\}\}/g, '');
   Object.assign(s, {
     figures: p.figures,
     noFigure: p.noFigure,
