@@ -224,6 +224,7 @@ export function sectionPage(s, book) {
 
   const account = s.blocks[0].text
     .replace(/^\s*## .*$/m, '')
+    .replace(/^::: [^]*?^:::$/gm, '')
     .trim()
     .split(/\n\s*\n/)[0]
     .replace(/\s*\{\{entry \w+\}\}/g, '');

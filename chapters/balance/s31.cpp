@@ -34,13 +34,13 @@ than μ, by what Mathieu's equation ({{sec balance.15}}) has; for their sum the 
 
 $$ -\frac{a^2}{b^2}\,\frac{\lambda^4m^2}{4\mu(4\mu^2-\lambda^2)}. \tag{C} $$
 
-As the beam's amplitude comes in by its square, beams that swing less need longer, in the limit for ever;
-this is what a theory of smallest oscillations sees of it.
-
 ::: margin
 Today: the first average of a fourth-order Hamiltonian. The pans are in 1 : 1 resonance, so any coupling,
 however small, exchanges all.
 :::
+
+As the beam's amplitude comes in by its square, beams that swing less need longer, in the limit for ever;
+this is what a theory of smallest oscillations sees of it.
 
 ## The program
 
