@@ -176,18 +176,27 @@ rules.told = guarded((token, page) => page.refer(token.content.replaceAll('\\|',
 const unitBehind = (tokens, i, content) => tokens[i - 1]?.type === 'told' && /^ ?(?:s|ft|1\/s)(?!\p{L})/u.test(content ?? '');
 /** So does a sign of the apparatus behind its word. */
 const signBehind = (tokens, i) => tokens[i + 1]?.type === 'told' && /^\s*entry\s/.test(tokens[i + 1].content);
+/** And so do the number of a section and its sign, and both sides of a ratio of numbers. */
+const together = (content) => content.replace(/(§) (?=\d)/g, '$1\u00a0').replace(/(\d) : (?=\d)/g, '$1\u00a0:\u00a0');
 rules.text = (tokens, i) => {
   const { content } = tokens[i];
-  const unit = unitBehind(tokens, i, content) ? content.replace(/^ /, '\u00a0') : content;
+  const unit = together(unitBehind(tokens, i, content) ? content.replace(/^ /, '\u00a0') : content);
   return md.utils.escapeHtml(signBehind(tokens, i) ? unit.replace(/ $/, '\u00a0') : unit);
 };
 rules.softbreak = (tokens, i) =>
-  unitBehind(tokens, i, tokens[i + 1]?.content) || signBehind(tokens, i) ? '\u00a0' : '\n';
+  unitBehind(tokens, i, tokens[i + 1]?.content) || signBehind(tokens, i) || /§$/.test(tokens[i - 1]?.content)
+    ? '\u00a0'
+    : '\n';
 rules.told_block = guarded((token, page) =>
   token.info === 'table' ? page.table(token.content) : page.collected(token.content),
 );
 rules.formula = guarded((token, page) => page.equation(token.content, token.line));
-rules.division = guarded((token, page) => page.division(token.info.trim(), token.content, token.line));
+rules.division = guarded((token, page, tokens, i) => {
+  const kind = token.info.trim();
+  if (kind === 'margin' && (tokens[i + 1]?.type ?? 'heading_open') === 'heading_open')
+    throw new Error('a margin note begins beside the paragraph that follows it, and none does: put it before the last one');
+  return page.division(kind, token.content, token.line);
+});
 rules.table_open = () => '<div class="table words" tabindex="0" role="group" aria-label="Table">\n<table>\n';
 rules.table_close = () => '</table>\n</div>\n';
 rules.code_inline = (tokens, i) =>

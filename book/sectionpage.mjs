@@ -224,9 +224,10 @@ export function sectionPage(s, book) {
 
   const account = s.blocks[0].text
     .replace(/^\s*## .*$/m, '')
+    .replace(/^::: [^]*?^:::$/gm, '')
     .trim()
     .split(/\n\s*\n/)[0]
-    .replace(/\{\{entry \w+\}\}/g, '');
+    .replace(/\s*\{\{entry \w+\}\}/g, '');
   Object.assign(s, {
     figures: p.figures,
     noFigure: p.noFigure,

@@ -10,8 +10,8 @@ set xlabel "time (s)"
 set lmargin 9
 set ytics (sprintf("%.3g°", n) gap + n, "0" gap, sprintf("−%.3g°", n) gap - n, \
            sprintf("%.3g°", n) -gap + n, "0" -gap, sprintf("−%.3g°", n) -gap - n)
-set label "{/:Italic P}" at last * 1.02, gap textcolor linetype 1
-set label "{/:Italic Q}" at last * 1.02, -gap textcolor linetype 3
+set label "P" at last * 1.02, gap textcolor linetype 1
+set label "Q" at last * 1.02, -gap textcolor linetype 3
 set rmargin 5
 plot file using "t":(column("P_hull") + gap) with lines linetype 6, \
      file using "t":(-column("P_hull") + gap) with lines linetype 6, \

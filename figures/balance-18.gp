@@ -12,6 +12,6 @@ least = P_min_y < Q_min_y ? P_min_y : Q_min_y
 reach = most > -least ? most : -least
 if (reach == 0) reach = 1
 set yrange [-1.15 * reach:1.15 * reach]
-set label "{/:Italic P}" at P_pos_max_y, P_max_y + 0.08 * reach center textcolor linetype 1
-set label "{/:Italic Q}" at Q_pos_max_y, Q_max_y + 0.08 * reach center textcolor linetype 3
+set label "P" at P_pos_max_y, P_max_y + 0.08 * reach center textcolor linetype 1
+set label "Q" at Q_pos_max_y, Q_max_y + 0.08 * reach center textcolor linetype 3
 plot file using "turn":"P" with lines linetype 1, "" using "turn":"Q" with lines linetype 3

@@ -5,7 +5,7 @@ set yrange [1e-17:10]
 set format x "10^{%T}"
 set format y "10^{%T}"
 set xlabel "step {/:Italic h}, in 1/μ"
-set ylabel "error" offset 0, 0
+set ylabel "error, in parts of μ𝔄" offset 0, 0
 set lmargin 10
 set label "one-sided" at 3e-4, 2e-3 right textcolor linetype 2
 set label "central" at 1e-11, 2e-7 right textcolor linetype 3

@@ -1,6 +1,6 @@
 load "figures/style.gp"
 set xlabel "μ{/:Italic t}"
-set ylabel "inclination η"
+set ylabel "η, in parts of 𝔄"
 set xrange [0:50]
 set arrow from 4, 1.45 to 4, 0.05 linetype 6 head filled size screen 0.01, 20
 set arrow from 0, 0 to 50, 0 nohead linetype 6

@@ -10,8 +10,8 @@ stats file using "Q" every ::299::299 name "LQ" nooutput
 set rmargin 4
 set xlabel "time (seconds)"
 set ylabel "swing (degrees)"
-set label "{/:Italic P}" at graph 1.01, first LP_max left textcolor linetype 1
-set label "{/:Italic Q}" at graph 1.01, first LQ_max left textcolor linetype 3
+set label "P" at graph 1.01, first LP_max left textcolor linetype 1
+set label "Q" at graph 1.01, first LQ_max left textcolor linetype 3
 plot file using "t":"P" with lines linetype 1, file using "t":"Q" with lines linetype 3, \
      file using "t":"P_theory" with lines linetype 6 dashtype (6, 4), \
      file using "t":"Q_theory" with lines linetype 6 dashtype (6, 4)

@@ -18,7 +18,7 @@ if (least > 0) least = 0
 high = most - least
 if (high == 0) high = 1
 set yrange [least - 0.2 * high:most + 0.3 * high]
-set xlabel "frequency"
+set xlabel "frequency (1/s)"
 set lmargin (high < 1e-3 || high > 1e5 ? 14 : 10)
 set ylabel "beside the regular swing, in 720ths" offset 0, 0
 set xzeroaxis linetype 6

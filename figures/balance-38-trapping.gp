@@ -1,6 +1,6 @@
 load "figures/style.gp"
 set xlabel "P's first swing, {/:Italic n} : {/:Italic n_c}"
-set ylabel "Q's greatest, in parts of it"
+set ylabel "Q's farthest swing, in parts of P's first"
 set xrange [0.4:2]
 set yrange [0:1.1]
 set arrow from 1, 0 to 1, 1.1 nohead linetype 6 dashtype (6, 4)

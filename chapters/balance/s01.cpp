@@ -22,15 +22,15 @@ things can be told apart in what was seen.
 4. Now everything happens in the contrary order, until the first pan has its whole motion again and its
    companion is for a moment at rest. And so for a good while.
 
-Nothing in the means by which other kinds of oscillations were mastered seems to serve here; so he takes
-refuge in the first principles of motion. He wants above all to leave out no circumstance that can contribute
-anything. In the end he finds none of the four things, and one circumstance left out: he has taken the point
-from which the balance hangs as fixed ({{sec balance.37}}, {{sec balance.38}}).
-
 ::: margin
 Today: two equal oscillators, weakly coupled. What each does is a beat of the two modes in which both swing
 alike.
 :::
+
+Nothing in the means by which other kinds of oscillations were mastered seems to serve here; so he takes
+refuge in the first principles of motion. He wants above all to leave out no circumstance that can contribute
+anything. In the end he finds none of the four things, and one circumstance left out: he has taken the point
+from which the balance hangs as fixed ({{sec balance.37}}, {{sec balance.38}}).
 
 ## The program
 
@@ -63,10 +63,10 @@ const auto hung = [] {
 };
 const auto pulled = [] { return Full_state{{0, 0, n, 0}, {}}; };
 
-double pan()
+double pan()  // μ
 {
   return std::sqrt(2 * designed.beam.g / designed.beam.b);
-}  // μ
+}
 
 struct Reach  // the farthest from the vertical
 {

@@ -32,13 +32,13 @@ $$ \frac{\tan\omega}{(\text{time})^2} = \frac{2g\,\delta\,a}{\pi^2\,I}. \tag{B} 
 A balance that shows a weight ten times as small swings $\sqrt{10}$ times as slowly, whatever else is done
 to it, as long as $c$ is small and its arms and masses remain.
 
-The second remark is what keeps him from the solution. It is true if the point $C$ stands fast. If $C$ can
-give way sideways, one pan acts on the other over a beam that stays level: with its centre of gravity in $C$
-itself the beam of {{sec balance.01}} takes no part in small swings at all, and the exchange goes on.
-
 ::: margin
 Today: stable equilibrium; $c$ is the metacentric height of the beam.
 :::
+
+The second remark is what keeps him from the solution. It is true if the point $C$ stands fast. If $C$ can
+give way sideways, one pan acts on the other over a beam that stays level: with its centre of gravity in $C$
+itself the beam of {{sec balance.01}} takes no part in small swings at all, and the exchange goes on.
 
 ## The program
 */

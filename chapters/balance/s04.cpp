@@ -28,6 +28,10 @@ $n$ being how far it goes from the vertical; it comes out of step with its compa
 swings wide. And no two pans are *equal*. That they are here, to the last digit, is a supposition like the
 others, and the whole exchange of motions rests on it.
 
+::: margin
+Today: two detuned oscillators, Rabi's formula. (A) is the compound pendulum of {{sec pendulum.06}}.
+:::
+
 What differing strings would do can be seen on any two oscillators of the frequencies μ and μ′, so coupled
 that if they were equal one would hand over everything in the time $T$. Let σ be $\mu + \pi:T$. Then the
 second gets at most the part
@@ -36,10 +40,6 @@ $$ \frac{\sigma^2-\mu^2}{\sqrt{(\sigma^2-\mu^2)^2 + (\mu^2-\mu'^2)^2}} \tag{B} $
 
 of the first one's swing. It is nearly everything if μ and μ′ differ by much less than $\pi:T$, nearly nothing
 if by much more.
-
-::: margin
-Today: two detuned oscillators, Rabi's formula. (A) is the compound pendulum of {{sec pendulum.06}}.
-:::
 
 ## The program
 */

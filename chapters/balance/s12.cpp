@@ -30,6 +30,11 @@ So the strings pull with the pans' weights, a little more or less as the end of 
 slower. With the beam's equation, $dd\omega:2g\,dt^2 = -\omega:f$ ({{sec balance.14}}), the excess is $\mp
 a\omega:f$ in weights of a pan.
 
+::: margin
+Today: expand in powers of a smallness ε and keep equal powers. II and IV to first order, V to
+second do not go together.
+:::
+
 Right to the first order of the angles, {{eq 2}} will be used at the second: in I and III the tension is
 multiplied by η or ϑ, and there the first order suffices; but in V the tensions themselves stand, and there
 that order is the last which is right. To the {{term second order}}
@@ -41,11 +46,6 @@ $$ \begin{gathered} \frac PL = 1 + \frac{a\ddot\omega + b\dot\eta^2}{2g} - \tfra
 with $\ddot\omega$ to that order. Every pendulum pulls with less than its weight where it turns, and
 with more where it passes the vertical. Such parts are of the second order, that of the beam is of the first;
 yet in Euler's example, at ten degrees, they are more than what the beam does.
-
-::: margin
-Today: expand in powers of a smallness ε and keep equal powers. II and IV to first order, V to
-second do not go together.
-:::
 
 ## The program
 

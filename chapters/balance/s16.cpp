@@ -271,7 +271,7 @@ const Emendation lost_factor{
 ## Go on from here
 
 ::: exercise
-Which of the two pans feels heavier while $A$ is above the horizontal, and why not the one that is lower?
+Which pan feels heavier while $A$ is above the horizontal, the higher or the lower one, and why?
 
 answer: Q, whose end $B$ is then below and is accelerated upward, as {{weight_Q|6}} shows, ω being positive;
 $A$ is above and accelerated downward. The beam is always accelerated back to the level.

@@ -44,9 +44,9 @@ into the angles of {{sec balance.26}} with one sign and into the velocities with
 Today: the velocities belong to the state; an equation of the second order is one of the first for both.
 :::
 
-Whether it is the end may be doubted. The formulae solve {{sec balance.16}} up to the third order of the
-angles; but those equations lack terms of the second ({{sec balance.13}}). So the angles are right to the
-first order only, and what the side tones add is of the order of what is missing.
+Whether it is the end may be doubted. The formulae solve {{sec balance.16}} but for what is of the third
+order of the angles; yet those equations lack terms of the second ({{sec balance.13}}). So the angles are
+right to the first order only, and what the side tones add is of the order of what is missing.
 
 ## The program
 

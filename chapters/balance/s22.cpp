@@ -33,6 +33,10 @@ which $c$ takes when it equals $f:2$:
 
 $$ \frac\lambda\mu = \sqrt{\frac bf}, \qquad f \ge 2\sqrt{kk + \frac{2Laa}M}. \tag{A} $$
 
+::: margin
+Today: Mathieu's equation with $a = 4\mu^2/\lambda^2$ and $q = 2p$; (B) are the tips of its Arnold tongues.
+:::
+
 A beam whose strings are shorter than this least $f$ is slower than its pans, wherever its centre of gravity
 lies. What Euler keeps away from by
 his assumption has a name today. In the pan's equation ({{sec balance.15}}) the weight seems to vary with the
@@ -46,10 +50,6 @@ string; and it reaches, nearly, from $2\mu(1-p)$ to $2\mu(1+p)$. For $\lambda=2\
 times as long as $f$: that is excluded indeed. But in the direction of slow beams the intervals do not end,
 they become too narrow to be met. And another resonance is not excluded at all, that of $\mu=2\lambda$, with
 $f=4b$ ({{sec balance.28}}); Euler's equations do not contain it.
-
-::: margin
-Today: Mathieu's equation with $a = 4\mu^2/\lambda^2$ and $q = 2p$; (B) are the tips of its Arnold tongues.
-:::
 
 ## The program
 

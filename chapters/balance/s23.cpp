@@ -52,12 +52,12 @@ $$ \begin{gathered} r = \frac{nn}4\sqrt{\frac\mu2\left(s-\frac\mu8\right)},\\
    s = \frac{4\rho\mu^3}{4\mu\mu-\lambda\lambda}.
 \end{gathered} \tag{C} $$
 
-So the conclusion about the first impulse does not hold: an exchange is no proof that the beam was pushed.
-
 ::: margin
 Today: parametric resonance at 2 : 1, the pump being the beam's forced motion; (B) and (C) are from the
 averaged quartic Lagrangian.
 :::
+
+So the conclusion about the first impulse does not hold: an exchange is no proof that the beam was pushed.
 
 ## The program
 

@@ -26,6 +26,11 @@ $$ f = c + \frac{kk}c + \frac{2Laa}{Mc}, {{entry length}} \tag{3} $$
 and from $\lambda=\sqrt{2g:f}$ it follows that $f = 2g:\lambda\lambda$, by which the next section replaces
 $f$.
 
+::: margin
+Today: nonlinear frequency shift, from the averaged Lagrangian. The quartic part of the weight gives
+$\frac1{16}$, the cubic coupling in the second order the rest.
+:::
+
 It is exact in the first order of $m$. How regular is the beam beyond it? A pendulum with wider swings is
 slower, by $\frac1{16}mm$. Here there is another thing of the same order. The pans hang from ends that move on
 arcs, and follow them with their own swings of the second order ({{sec balance.28}}); these pull back at the
@@ -39,11 +44,6 @@ vanishes: the pans go along with $A$ and $B$ as if they were fixed there, and th
 the letter. With very long ones it is $-\frac12\rho$. The pans then stay behind when their strings' ends move
 sideways, and of their inertia the beam has to carry the less the more it is inclined. If ρ is above an eighth
 such a beam is even *quicker* in wide swings than in small ones.
-
-::: margin
-Today: nonlinear frequency shift, from the averaged Lagrangian. The quartic part of the weight gives
-$\frac1{16}$, the cubic coupling in the second order the rest.
-:::
 
 ## The program
 

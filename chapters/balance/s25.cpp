@@ -61,6 +61,11 @@ $$ \begin{aligned} \eta &= \mathfrak A(1+K\cos\lambda t)\sin(\alpha+\mu t)\\
    K &= \frac{\lambda\lambda\mu\mu am}{2g(4\mu\mu-\lambda\lambda)}, \quad H = \frac{2\mu}\lambda K.
    \end{aligned} \tag{A} $$
 
+::: margin
+Today: $K$ is amplitude modulation, $H$ phase modulation. That the width goes as the inverse root of the
+frequency is the adiabatic invariance of $E/\omega$.
+:::
+
 The first of them alters the swing's width, by the $K$ of {{sec balance.26}}; the second its phase, by
 $H\sin\lambda t$ to the first order of $H$. As the beam is slow, $H$ is much the greater of the two. So what
 the pan feels of the beam is hardly that it swings wider and narrower, but that its clock runs fast while the
@@ -69,11 +74,6 @@ both cancel. It is what a
 pendulum does whose weight changes slowly: its frequency goes as the root of the weight, its width as the
 inverse fourth root, which at the beam's greatest inclination gives the ratios $H\lambda:\mu$ and $K$, in the
 proportion of 2 to 1.
-
-::: margin
-Today: $K$ is amplitude modulation, $H$ phase modulation. That the width goes as the inverse root of the
-frequency is the adiabatic invariance of $E/\omega$.
-:::
 
 ## The program
 

@@ -44,13 +44,13 @@ $$ \begin{aligned}
 \text{III.}&\quad 0 = \cos\alpha\,(1 - K),\\ \text{IV.}&\quad 0 = \cos\beta\,(1 + K),\\
 K &= \frac{\lambda\lambda\mu\mu am}{2g(4\mu\mu-\lambda\lambda)}. \end{aligned} \tag{3} $$
 
-It seems, he says, that they can be met in several ways; the next section runs through some of them. The
-letter $K$ is ours; he writes the fraction out each time.
-
 ::: margin
 Today: the pan's place and speed at $t = 0$ are linear in $\mathfrak A\sin\alpha$ and $\mathfrak A\cos\alpha$;
 {{eq 3}} is that map, already diagonal.
 :::
+
+It seems, he says, that they can be met in several ways; the next section runs through some of them. The
+letter $K$ is ours; he writes the fraction out each time.
 
 ## The program
 

@@ -16,6 +16,10 @@ $$ \mathfrak A = 0, \qquad \mathfrak B = 0. \tag{1} $$
 So in this case, Euler concludes, both pans remain at rest for ever {{entry pans_at_rest}} and take up no
 motion at all, though the beam goes on swinging beside them.
 
+::: margin
+Today: a 1 : 2 resonance. Its divisor, $\mu - 2\lambda$, does not occur in Euler's formulae.
+:::
+
 At the order of smallness at which he works that is not so. His equations keep the product $\eta\omega$, of
 the second order, but have dropped a term that is of the same order and does not vanish with η
 ({{sec balance.13}}): $A$ and $B$ move on arcs, and so a little sideways, twice in each period of the beam.
@@ -28,10 +32,6 @@ $$ \begin{gathered} \frac{d^2\eta}{dt^2} + \mu\mu\eta = \frac{a}{b}\,\frac{d^2}{
 
 and $\vartheta = -\eta$: the pans open and close together. At $\mu = 2\lambda$ the divisor vanishes, and the
 swings grow with the time, as $-\frac{a}{4b}mm\lambda\,t\sin2\lambda t$.
-
-::: margin
-Today: a 1 : 2 resonance. Its divisor, $\mu - 2\lambda$, does not occur in Euler's formulae.
-:::
 
 ## The program
 

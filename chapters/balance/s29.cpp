@@ -34,6 +34,11 @@ He might have said more: not only can it be, it must. As long as $K$ is neither 
 other way than (2). His formulae divide into two pairs, one a pan, and no constant is common to both. That P
 swings makes no difference to Q; this is case 1 over again for the one pan, and the simple case for the other.
 
+::: margin
+Today: (1) is a linear map from $(\mathfrak A\sin\alpha,\mathfrak A\cos\alpha)$ and the same for Q to the
+start, with the determinant $(1-K^2)^2$; it has no elements that lead from one pan to the other.
+:::
+
 The full equations deny it, and in two steps. At the second order Q has the motion that it also has beside a
 pan at rest,
 
@@ -44,11 +49,6 @@ $$ \begin{gathered} \vartheta = F(\cos2\lambda t-\cos\mu t),\\
 since $B$ moves on an arc ({{sec balance.28}}). Here $n$ does not come in, and it does not grow. At the third
 order there is a part that grows with the time and has its force from P, and it goes on until Q has all
 ({{sec balance.31}}).
-
-::: margin
-Today: (1) is a linear map from $(\mathfrak A\sin\alpha,\mathfrak A\cos\alpha)$ and the same for Q to the
-start, with the determinant $(1-K^2)^2$; it has no elements that lead from one pan to the other.
-:::
 
 ## The program
 

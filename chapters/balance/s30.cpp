@@ -41,6 +41,10 @@ $$ \frac\pi\mu, \qquad \frac\pi{\mu-\lambda}, \qquad \frac\pi{\mu+\lambda}; \tag
 
 and the mixture arises from the swinging of the beam.
 
+::: margin
+Today: a line spectrum. Beyond the second order there are more lines, at sums $j\mu + k\lambda$.
+:::
+
 It is a statement that can be put to the test: take the motion by the full equations apart into its
 oscillations, and see which are there. The three are there. A fourth is too, which he could not find, because
 its cause has been dropped ({{sec balance.28}}): one at $2\lambda$, of the amplitude
@@ -55,10 +59,6 @@ $$ n\,(1-K)+F, \tag{B} $$
 $K$ being what the two side tones leave of each other at $t=0$. Formula (3) with $n$ starts at $n(1+K)$; with
 $\mathfrak A = n:(1+K)$, as (2) has it exactly, it would start at $n$, but its side tones be altered without
 need.
-
-::: margin
-Today: a line spectrum. Beyond the second order there are more lines, at sums $j\mu + k\lambda$.
-:::
 
 ## The program
 

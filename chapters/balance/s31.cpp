@@ -34,13 +34,13 @@ than μ, by what Mathieu's equation ({{sec balance.15}}) has; for their sum the 
 
 $$ -\frac{a^2}{b^2}\,\frac{\lambda^4m^2}{4\mu(4\mu^2-\lambda^2)}. \tag{C} $$
 
-As the beam's amplitude comes in by its square, beams that swing less need longer, in the limit for ever;
-this is what a theory of smallest oscillations sees of it.
-
 ::: margin
 Today: the first average of a fourth-order Hamiltonian. The pans are in 1 : 1 resonance, so any coupling,
 however small, exchanges all.
 :::
+
+As the beam's amplitude comes in by its square, beams that swing less need longer, in the limit for ever;
+this is what a theory of smallest oscillations sees of it.
 
 ## The program
 
@@ -127,8 +127,9 @@ By {{eq B}} the motion passes in {{by_theory|5}} s, by the full equations in {{b
 alt: Two curves against the time. P's amplitude falls from one nearly to zero and comes back; Q's rises from
 zero to one at the same time.
 
-How far P and Q swing, in parts of P's first amplitude, by the full equations. P alone was let go, with a
-beam that swings by a sixth of the radius. By Euler Q would keep to the line of zero.
+How far P and Q swing, in parts of the angle $n$ from which P alone was let go, by the full equations, with a
+beam that swings by a sixth of the radius. P begins with more than $n$, the $n(1-K)+F$ of {{eq balance.30 B}}.
+By Euler Q would keep to the line of zero.
 :::
 
 ### Euler's own example
@@ -215,6 +216,21 @@ CHECK_THAT(
       CHECK(points[k].value("P") == within(there.P, off + 0.05, "the side tones, which add up"));
       CHECK(points[k].value("Q") == within(there.Q, off + 0.05, "the same"));
     }
+  }
+}
+
+CHECK_THAT("in the figure P begins with the n(1 − K) + F of § 30, more than it was let go from")
+{
+  for(const Told& now : told_at("n=1"))
+  {
+    const double K = beta * lambda * lambda * m / (4 * mu * mu - lambda * lambda);
+    const double F = beta * lambda * lambda * m * m / (mu * mu - 4 * lambda * lambda);
+    const double begins = 1 - K + F / n;
+    CHECK(begins == between(1.03, 1.05, "more than n"));
+    const auto first = now.points("envelopes")[0];
+    CHECK(first.value("P")
+          == within(begins * std::cos(std::numbers::pi * first.at("t") / (2 * averaged(given(), m).time)),
+                    0.01, "the third order"));
   }
 }
 

@@ -44,13 +44,13 @@ by the roots of
 
 $$ \frac{nn+n'n'}2 \pm \frac{nn-n'n'}2\cos\frac{\pi t}{T_3}. \tag{C} $$
 
-If $n$ and $n'$ are equal, there is nothing to exchange: the pans swing with each other and go on so. It is
-that very start, with $n=n'$, which Euler chooses for his example ({{sec balance.35}}). A table of it,
-however exact, would not have shown him what he looked for.
-
 ::: margin
 Today: $n=\pm n'$ excites one normal mode, all else a beat of two.
 :::
+
+If $n$ and $n'$ are equal, there is nothing to exchange: the pans swing with each other and go on so. It is
+that very start, with $n=n'$, which Euler chooses for his example ({{sec balance.35}}). A table of it,
+however exact, would not have shown him what he looked for.
 
 ## The program
 

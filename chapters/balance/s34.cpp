@@ -23,6 +23,10 @@ be noticed.
 For the beam the statement is true of $\omega = m\cos\lambda t$. Of the balance it is not: two pans that do
 not swing alike tug at their beam ({{sec balance.13}}), and it swings farther than it was drawn aside.
 
+::: margin
+Today: similarity. Of the four numbers on which the motion depends, none is a length.
+:::
+
 And the length of the beam is not what counts. In {{eq 1}} a longer beam also makes λ smaller, because more
 mass lies farther out. As $2g = \mu\mu b$ and $\lambda\lambda = 2gMc:(M(kk+cc)+2Laa)$, it is
 
@@ -31,10 +35,6 @@ $$ i = \frac{\lambda a}{2b} = \frac1{2b}\sqrt{\frac{2gc}{\dfrac{kk+cc}{aa}+\dfra
 and if beams of different length are alike, so that $k:a$ is the same for all, $i$ tends to a limit; it has
 nearly reached it when $a$ is several times $c$. What makes the pans irregular is a short string and a beam
 whose centre of gravity lies deep.
-
-::: margin
-Today: similarity. Of the four numbers on which the motion depends, none is a length.
-:::
 
 ## The program
 */
@@ -62,7 +62,7 @@ TELL
   tell("i", i_with(a), Unit{"1/s"}, "the number i, (1)");
   tell("longer", i_with(2 * a), Unit{"1/s"}, "the same for a beam twice as long");
   tell("limit", limit(), Unit{"1/s"}, "for the longest");
-  auto& rows = table("arms", "Half the beam, and i", {{"a", "a, feet"}, {"i", "i, 1/s"}});
+  auto& rows = table("arms", "Half the beam, and i", {{"a", "a", feet}, {"i", "i", Unit{"1/s"}}});
   for(const double arm : {0.25, 0.5, 1., 2., 4., 8.})
     rows.row({arm, i_with(arm)});
   curve("by_arm", {"a", "i"}, [](Curve& out) {
@@ -134,8 +134,8 @@ CHECK_THAT("i is (A), tends to the limit told and never exceeds it")
     CHECK(now.value("limit", Unit{"1/s"}) == within_relative(far, 2e-15, "some roundings"));
     for(const auto& row : now.rows("arms"))
     {
-      CHECK(row.value("i") == within_relative(by_A(row.at("a")), 2e-15, "the same"));
-      CHECK(by_A(row.at("a")) < far);
+      CHECK(row.value("i", Unit{"1/s"}) == within_relative(by_A(row.at("a", feet)), 2e-15, "the same"));
+      CHECK(by_A(row.at("a", feet)) < far);
     }
     for(const auto& point : now.points("by_arm", 5))
       CHECK(point.value("i") == within_relative(by_A(point.at("a")), 2e-15, "the same"));

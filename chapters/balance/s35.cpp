@@ -12,9 +12,9 @@ To see what the formulae of {{sec balance.33}} amount to he takes an example. As
 than λ, let $\lambda = 1$ and $\mu = 3$. An oscillation of the beam then takes π seconds, one of the pans, as
 far as their motion is regular, a third of that. The number $i$ becomes
 
-$$ i = \frac{9a}{4g} \tag{1} $$
+$$ i = \frac{9a}{4g}{{entry nine}} \tag{1} $$
 
-{{entry nine}}, and since $g$ is about 16 English feet, $a = 2$ feet would make it {{i_by_arm|5}}
+and since $g$ is about 16 English feet, $a = 2$ feet would make it {{i_by_arm|5}}
 {{entry i_of_two_feet}}. For the sake of easy numbers he takes $i = \tfrac14$, and for the angles $m$, $n$,
 $n'$ about ten degrees, that is, in parts of the radius, a sixth {{entry sixth}}. Then
 
@@ -39,11 +39,11 @@ $$ \begin{aligned} \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\} = {}
    &\pm\bigl(-\tfrac1{720}\cos2t + \tfrac1{420}\cos3t\\
    &\qquad - \tfrac1{1008}\cos4t\bigr). \end{aligned} \tag{A} $$
 
-So the fraction $\tfrac1{720}$ has the wrong sign, and a greater one is missing.
-
 ::: margin
 Today: a line spectrum. Two lines that a general balance would keep apart coincide in the example.
 :::
+
+So the fraction $\tfrac1{720}$ has the wrong sign, and a greater one is missing.
 
 ## The program
 
@@ -88,7 +88,7 @@ TELL
   tell("sixth", 1. / 6 / 1_deg, "degrees in a sixth of the radius");
   auto& rows = table("tones", "What is added to the regular swings, in radians",
                      {{"tone", "tone"},
-                      {"frequency", "1/s"},
+                      {"frequency", "frequency", Unit{"1/s"}},
                       {"eta_by_him", "η by (2)"},
                       {"eta", "η complete"},
                       {"theta_by_him", "ϑ by (2)"},
@@ -143,7 +143,7 @@ CHECK_THAT("the tones add up to Euler's formula, and to the complete second orde
     }
     for(std::size_t j = 0; j < 4; ++j)
     {
-      CHECK(rows[j].value("frequency") == within_ulps(all[j].frequency, 0.5, "one rounding"));
+      CHECK(rows[j].value("frequency", Unit{"1/s"}) == within_ulps(all[j].frequency, 0.5, "one rounding"));
       CHECK(rows[j].value("eta_by_him") == within_ulps(all[j].eta_by_him, 0.5, "one rounding"));
       CHECK(rows[j].value("eta") == within_ulps(all[j].eta, 0.5, "one rounding"));
       CHECK(rows[j].value("theta_by_him") == within_ulps(all[j].theta_by_him, 0.5, "one rounding"));

@@ -28,20 +28,19 @@ radius. Then
 $$ \begin{aligned} \omega = {}&\tfrac16\cos t,\\ \left.\begin{matrix}\eta\\ \vartheta\end{matrix}\right\}
  = {}&\tfrac16\cos 3t\\ &\pm \left(\tfrac1{720}\cos 2t - \tfrac1{1008}\cos 4t\right), \end{aligned} \tag{2} $$
 
-only that he has $\tfrac1{1080}$ {{entry last_fraction}} for the last fraction. The time in seconds stands
-here as an angle, and one
-second is an angle of about 57°. To look at the balance every half second he therefore writes for $t$ in turn
-0°, 30°, 60°, 90°, 120° and so on, and enters the three angles of every moment in a table {{entry labels}}
-{{entry column}} {{entry minutes_of_eta}}. A sixth {{entry ten_degrees}} he counts
-as ten degrees, so that $\tfrac1{720}$ is 5′ and $\tfrac1{1080}$ is 3⅓′ {{entry last_minutes}}. The table
-shows, he says, that the
-pans' motion is irregular by so little that in practice hardly anybody could notice it; and no greater value,
-it seems, can ever be given to the number $i$.
+only that he has $\tfrac1{1080}$ {{entry last_fraction}} for the last fraction.
 
 ::: margin
 Euler's degree is here a sixtieth of the radius, {{his_degree|4}}° of ours, and his minute a 3600th. The
 degrees and minutes of this page are his.
 :::
+
+The time in seconds stands here as an angle, and one second is an angle of about 57°. To look at the balance
+every half second he therefore writes for $t$ in turn 0°, 30°, 60°, 90°, 120° and so on, and enters the three
+angles of every moment in a table {{entry labels}} {{entry column}} {{entry minutes_of_eta}}. A sixth
+{{entry ten_degrees}} he counts as ten degrees, so that $\tfrac1{720}$ is 5′ and $\tfrac1{1080}$ is 3⅓′
+{{entry last_minutes}}. The table shows, he says, that the pans' motion is irregular by so little that in
+practice hardly anybody could notice it; and no greater value, it seems, can ever be given to the number $i$.
 
 ## The program
 

@@ -20,13 +20,13 @@ $$ \begin{gathered} (\lambda_e^2 - \sigma^2)(\mu^2 - \sigma^2) = \varepsilon\sig
   \varepsilon = \frac{2Le^2}{I_e}, \quad \lambda_e^2 = \frac{2g(Mc+2Le)}{I_e},\\
   I_e = M(kk+cc) + 2L(aa+ee). \end{gathered} \tag{A} $$
 
-A pan that swings alone is the sum of the two, and after the time $\pi : (\sigma-\mu)$ the other has its
-whole motion. However small $e$ is, nothing remains incomplete; it only takes longer, as $1 : ee$. What
-counts is the coupling against the difference of the two pans, which is zero.
-
 ::: margin
 Today: perturbation of a double eigenvalue.
 :::
+
+A pan that swings alone is the sum of the two, and after the time $\pi:|\sigma-\mu|$ the other has its
+whole motion. However small $e$ is, nothing remains incomplete; it only takes longer, as $1 : ee$. What
+counts is the coupling against the difference of the two pans, which is zero.
 
 ## The program
 */

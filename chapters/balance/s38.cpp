@@ -321,11 +321,12 @@ pan, what moves the other pan is $C$.
 Besides the moving pivot, two causes were met that Euler either set aside or did not see: ends of the beam
 that do not lie in line with $C$ ({{sec balance.37}}), and, with ends in line and $C$ fixed, the swinging beam
 itself, at the third order ({{sec balance.31}}). In one instrument their times can be compared.
+P is let go at a twentieth of the radius, and looked at until one and a half times what theory has.
 
 {{table causes}}
 
-With $C$ held and neither of the two others at work, Q has no more than {{held|2}} of P's swing after the same
-time.
+With $C$ held and neither of the two others at work, Q has in one and a half times the first of these times no
+more than {{held|2}} of P's swing.
 
 ::: figure balance-38-causes
 alt: Three curves over a logarithmic axis of time, each rising from zero to about one: at sixteen seconds, at
@@ -595,15 +596,15 @@ CHECK_THAT("the trapping figure: the line is (E), the points lie by it to the ne
 How far an end of the beam moves sideways is seen from its place.
 */
 
-const Erratum only_vertically{"§38, how far A has moved sideways against down when the beam stands at 10°",
-                              {"not at all", 0},
-                              {"by tan 5°", [] { return std::tan(5_deg); }},
-                              "A moves on a circle about C",
-                              [](double reading) {
-                                const Fifty x = exact::pi() / 18;
-                                return reading
-                                       == within_relative((1 - cos(x)) / sin(x), 1e-14, "few roundings");
-                              }};
+const Erratum only_vertically{
+    "§38, how far A is from its place sideways, in parts of its way up, the beam at 10°",
+    {"not at all", 0},
+    {"by tan 5°", [] { return std::tan(5_deg); }},
+    "A moves on a circle about C",
+    [](double reading) {
+      const Fifty x = exact::pi() / 18;
+      return reading == within_relative((1 - cos(x)) / sin(x), 1e-14, "few roundings");
+    }};
 
 /*!
 ## Notes

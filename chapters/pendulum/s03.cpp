@@ -13,6 +13,11 @@ and its radius of gyration. However the pendulum may be put together, let $G$ be
 whole, $AG = a$ its distance from the axis, and $M$ the mass, by the same letter also the weight. Gravity then
 acts on the pendulum as if a single force $M$ were applied at $G$ in the vertical direction $GH$.
 
+::: margin
+Today: $I_A = m(a^2 + k^2)$, the parallel-axis (Huygens–Steiner) theorem; $k$ is the *radius of gyration*
+about the centre of mass.
+:::
+
 The principles of motion also require the moment of inertia of the whole pendulum about an axis through $G$
 parallel to the axis of gyration $A$. It is found by multiplying each element of the pendulum by the square of
 its distance $r$ from that axis and gathering all these products into one sum, which he sets equal to $Mkk$,
@@ -23,11 +28,6 @@ for there is always a length $k$ that makes $Mkk$ equal to the sum. And once the
 mechanics teaches that the one about the axis of gyration $A$ is
 
 $$ M(aa + kk) . \tag{2} $$
-
-::: margin
-Today: $I_A = m(a^2 + k^2)$, the parallel-axis (Huygens–Steiner) theorem; $k$ is the *radius of gyration*
-about the centre of mass.
-:::
 
 ## The program
 

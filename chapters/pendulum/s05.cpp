@@ -18,6 +18,11 @@ using swing::Amplitude, swing::Motion;
 /*!
 ## What Euler does
 
+::: margin
+Today: $\ddot\theta = -(mga/I)\sin\theta$. Euler's $g$ is a length: in the first second a body falls
+$\frac12\cdot9.8$ metres. So his $2g$ is our $g$.
+:::
+
 The moment of gravity divided by the moment of inertia gives the acceleration of the angle, and this one
 equation contains the whole motion. Let the pendulum be moving away from its natural position $AB$, and let it
 have come to $AG$ when the time $t$ has passed, counted in seconds, so that it has turned through the angle
@@ -35,11 +40,6 @@ bodies fall in one second, the rules of mechanics supply the differential equati
 $$ \frac{dd\Phi}{dt^2} = -\frac{2g\,Ma\sin\Phi}{M(aa+kk)} = -\frac{2ga\sin\Phi}{aa+kk} , \tag{2} $$
 
 from which the whole motion of the pendulum must be derived.
-
-::: margin
-Today: $\ddot\theta = -(mga/I)\sin\theta$. Euler's $g$ is a length: in the first second a body falls
-$\frac12\cdot9.8$ metres. So his $2g$ is our $g$.
-:::
 
 ## The program
 

@@ -20,6 +20,10 @@ from which it comes, is as certain as ever. It lies in this: the pendulums that 
 much from those of the theorem. No wonder, then, that practice does not answer to theory, and that some
 inequality is left in the clocks, although in the theory the swings take perfectly equal times.
 
+::: margin
+$T/T_0 = \frac2\pi K(\sin\tfrac12\varphi_0)$. A *swing* is half the modern period.
+:::
+
 He gives no numbers. How large is the inequality that the cycloid was to take away? A pendulum on a fixed
 axis swings in a circle, and $T$, the time of a swing out to the angle $\varphi_0$ on either side, is
 longer than $T_0$, that of an infinitely small one, by
@@ -28,10 +32,6 @@ $$ \frac{T}{T_0} - 1 = \frac{\varphi_0^2}{16} + \frac{11\,\varphi_0^4}{3072} + \
 
 as follows from {{eq pendulum.11 1}}. A clock that is set by small swings and makes wide ones loses this
 part of a day.
-
-::: margin
-$T/T_0 = \frac2\pi K(\sin\tfrac12\varphi_0)$. A *swing* is half the modern period.
-:::
 
 ## The program
 

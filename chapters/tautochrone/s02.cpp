@@ -24,6 +24,10 @@ Secondly, the pendulum must be simple. All its mass has to be collected as it we
 is achieved accurately enough when a very small and very heavy ball hangs from a thread so thin and so
 light that its weight vanishes against the weight of the ball.
 
+::: margin
+Today $\pi\sqrt{a/g}$, the $g$ of today being twice Euler's.
+:::
+
 He writes no formula here. In the letters that he will use from {{sec tautochrone.12}} on, with $a$ for the
 length of the thread, the bob at the angle $\varphi$ with the vertical is led along a curve whose radius of
 curvature, arc and height are
@@ -38,10 +42,6 @@ $$ T = \frac{\pi\sqrt{2a}}{\sqrt{4g}} \tag{B} $$
 
 seconds, whatever $\varphi_0$ is. The cheeks between which the thread must hang are the cycloid's evolute, a
 cycloid again.
-
-::: margin
-Today $\pi\sqrt{a/g}$, the $g$ of today being twice Euler's.
-:::
 
 ## The program
 

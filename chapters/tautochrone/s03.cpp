@@ -20,6 +20,11 @@ of the cycloid, proved only for simple pendulums in empty space, has no longer a
 Experience too seems to have shown the defect clearly enough: the makers of clocks have by now almost
 entirely given up the cycloid.
 
+::: margin
+$Mkk$ is the moment of inertia about the centre of gravity, $M$ the mass. For a ball of the radius $R$,
+$kk = \frac25RR$.
+:::
+
 Of the two causes Euler will take up the second. Its size, which he does not give, follows from what he
 finds later. Let $k$ be the radius of gyration of the body about its centre of gravity, and $a$ the
 distance of that centre from the suspension. Between cycloidal cheeks a narrow swing out to the angle
@@ -30,11 +35,6 @@ $$ \frac{T}{T_0} - 1 = \frac{kk}{aa+kk}\cdot\frac{\varphi_0^2}{4} \text{ nearly}
 while on a fixed axis it is $\frac1{16}\varphi_0^2$. The cheeks leave of the circle's fault the part
 
 $$ \frac{4kk}{aa+kk}. \tag{B} $$
-
-::: margin
-$Mkk$ is the moment of inertia about the centre of gravity, $M$ the mass. For a ball of the radius $R$,
-$kk = \frac25RR$.
-:::
 
 ## The program
 

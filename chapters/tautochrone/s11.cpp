@@ -32,6 +32,11 @@ $$ \begin{aligned} kk + rr \quad &\text{becomes} \quad I = kk + rr + \tfrac13\mu
    &\text{where} \quad w = r + \tfrac12\mu u^2. \end{aligned}
    \tag{A} $$
 
+::: margin
+Today: a system of one degree of freedom with the energy $\tfrac12 I(\varphi)\dot\varphi^2 + gV(\varphi)$. In
+Euler's clock $g = \tfrac12$.
+:::
+
 Nothing is lost where the strip comes to rest on the cheek, for at $M$ it is at rest already. On Huygens's
 cheeks $r = \cos\varphi$ and $s = 1 - \cos\varphi$, and for narrow swings out to $\varphi_0$
 
@@ -42,11 +47,6 @@ $I_0$ and $w_0$ being what stands in {{eq A}} in the lowest place. For a heavy p
 is what a body without a strip would lose whose $kk$ were
 
 $$ kk = \mu\left(\tfrac34\ell - \tfrac78\ell^2 + \tfrac13\ell^3\right) \text{ nearly}. \tag{C} $$
-
-::: margin
-Today: a system of one degree of freedom with the energy $\tfrac12 I(\varphi)\dot\varphi^2 + gV(\varphi)$. In
-Euler's clock $g = \tfrac12$.
-:::
 
 ## The program
 

@@ -12,6 +12,10 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
+::: margin
+Today: $dT/dc = 0$ for every $c$. It is a condition on a function, $r$ of $\varphi$.
+:::
+
 The swings are isochronous if the height $c$, to which the pendulum rises, drops out of the expression for
 the time. If $c$ remains when in
 
@@ -23,10 +27,6 @@ isochronous, {{eq 1}} must be such that after $x = c$ the quantity $c$ goes out 
 its value remains the same, whatever size is given to the letter $c$. By this condition a fitting relation
 between $z$ and $x$ is to be determined, and it will make known the nature of the curve $CG$ in which the
 pendulum does all its swings in equal times.
-
-::: margin
-Today: $dT/dc = 0$ for every $c$. It is a condition on a function, $r$ of $\varphi$.
-:::
 
 ## The program
 

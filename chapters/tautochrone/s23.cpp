@@ -24,16 +24,16 @@ it is necessary that $\frac{aaf}{aa+kk} = a$, and therefore
 
 $$ f = a + \frac{kk}a = AD. \tag{3} $$
 
+::: margin
+The radius $kk/a$ in the lowest place has the same $f$. It is that of the pendulum turned over: $a$ and
+$kk/a$ change places.
+:::
+
 The length of the isochronous simple pendulum will thus be equal to $AD$. That is clear of itself: the
 smallest swings of this compound pendulum, with which all of the wider ones are isochronous, are made in
 arcs of circles described with the radius $AC$, and go on no otherwise than if all mass of the body were
 collected in its centre of oscillation $D$; so that $AD$ shows the length of the isochronous simple
 pendulum.
-
-::: margin
-The radius $kk/a$ in the lowest place has the same $f$. It is that of the pendulum turned over: $a$ and
-$kk/a$ change places.
-:::
 
 ## The program
 

@@ -19,6 +19,11 @@ $$ \begin{aligned}
   &- k^4r\,d\varphi\cos\varphi - kkr^3\,d\varphi\cos\varphi \\
   &- aakk\,dr\sin\varphi - k^4dr\sin\varphi = 0. \end{aligned} \tag{1} $$
 
+::: margin
+A singular perturbation: $dr$ has the small factor $kk$, so that each order is found without integrating,
+and no room is left for a constant.
+:::
+
 If $kk$ vanished, nothing would be left but $ar^4 = aar^3\cos\varphi$, that is $r = a\cos\varphi$. To find
 a truer value he puts
 
@@ -38,11 +43,6 @@ r^3 &= a^3\cos^3\varphi + 3aakkP\cos^2\varphi \\
 r^4 &= a^4\cos^4\varphi + 4a^3kkP\cos^3\varphi \\
   &\quad + 4a^3k^4Q\cos^3\varphi + 6aak^4PP{{entry of_the_fourth}}\cos^2\varphi.
 \end{aligned} \tag{4} $$
-
-::: margin
-A singular perturbation: $dr$ has the small factor $kk$, so that each order is found without integrating,
-and no room is left for a constant.
-:::
 
 ## The program
 

@@ -50,12 +50,12 @@ Therefore, nearly,
 $$ r = a\cos\varphi - \frac{kk\,(1-\cos^4\varphi)}{a\cos^3\varphi}{{entry fourth_power}}
    - \frac{6k^4\sin^2\varphi}{a^3\cos^7\varphi}. \tag{5} $$
 
-In the vertical, $\varphi = 0$, this is $r = a = AC$, as the nature of the thing demands.
-
 ::: margin
 The first term is Huygens's cycloid. The terms go by powers of $kk/aa\cos^4\varphi$, which is small only
 while the swing is not wide.
 :::
+
+In the vertical, $\varphi = 0$, this is $r = a = AC$, as the nature of the thing demands.
 
 ## The program
 

@@ -23,6 +23,11 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
+::: margin
+The amplitude of a place is here the angle of the thread, not the width of a swing. The angle of a curve's
+normal as its variable is today its tangential angle.
+:::
+
 For bodies whose $kk$ is very small he now has an equation between the radius of curvature $GM = r$ of the
 tautochrone $CG$ and its amplitude, the angle $GMS = \varphi$; from it whatever is needed for drawing the
 curve follows by three integrations. Let the arc be $CG = z$, the abscissa $CQ = x$ and the ordinate
@@ -47,11 +52,6 @@ $$ \begin{aligned} y = a\!\int\! d\varphi\cos^2\varphi
   &- \frac{kk}a\!\int\!\frac{d\varphi}{\cos^2\varphi} \\
   &+ \frac{kk}a\!\int\! d\varphi\cos^2\varphi -
   \frac{6k^4}{a^3}\!\int\!\frac{d\varphi\sin^2\varphi}{\cos^6\varphi}. \end{aligned} \tag{4} $$
-
-::: margin
-The amplitude of a place is here the angle of the thread, not the width of a swing. The angle of a curve's
-normal as its variable is today its tangential angle.
-:::
 
 ## The program
 

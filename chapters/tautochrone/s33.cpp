@@ -24,6 +24,11 @@ the ordinate $PM = q$. Then
 $$ s = a - r, \qquad dp = ds\cos\varphi, \qquad dq = ds\sin\varphi, \tag{1} $$
 
 because the thread, of the length $a$, lies on the cheek with its part $s$ and touches it with the rest.
+::: margin
+$ds/d\varphi$ is the cheek's own radius of curvature. It is zero in $A$: the two cheeks meet there in a
+cusp.
+:::
+
 From what was found before,
 
 $$ \begin{aligned} s = a &- a\cos\varphi - \frac{kk\cos\varphi}a + \frac{kk}{a\cos^3\varphi} \\
@@ -45,11 +50,6 @@ $$ \begin{aligned} dq = a\,d\varphi\sin^2\varphi &+ \frac{kk\,d\varphi\sin^2\var
   \frac{3kk\,d\varphi}{a\cos^4\varphi} + \frac{30k^4d\varphi}{a^3\cos^4\varphi} \\ &-
   \frac{72k^4d\varphi}{a^3\cos^6\varphi} +
  \frac{42k^4d\varphi}{a^3\cos^8\varphi}. \end{aligned} \tag{5} $$
-
-::: margin
-$ds/d\varphi$ is the cheek's own radius of curvature. It is zero in $A$: the two cheeks meet there in a
-cusp.
-:::
 
 ## The program
 

@@ -338,6 +338,11 @@ const faults = {
     /s11\.cpp:LINE: there is no section pendulum\.39/,
     '{{sec',
   ],
+  'a margin note that no paragraph follows': [
+    ['s11.cpp', '## The program\nOne line.', '::: margin\nToday.\n:::\n\n## The program\nOne line.'],
+    /s11\.cpp:LINE: a margin note begins beside the paragraph that follows it, and none does/,
+    '::: margin',
+  ],
   'a $ without its fellow': [
     ['s11.cpp', 'One line.', 'One $x line.'],
     /s11\.cpp:LINE: an odd number of \$/,
