@@ -7,7 +7,7 @@ import { escape } from './escape.mjs';
 import { packages } from './packages.mjs';
 import { asTeX, asText, fits, format, handTyped } from './numbers.mjs';
 import { isWord, rows } from './table.mjs';
-import { roomy } from './tex.mjs';
+import { parted, roomy } from './tex.mjs';
 
 const MarkdownIt = packages('markdown-it');
 const katex = packages('katex');
@@ -32,12 +32,12 @@ export class Formulas {
   /** The HTML of a formula; throws KaTeX's error when it does not parse. */
   set(tex, displayMode, toCopy = tex) {
     const key = createHash('sha256')
-      .update(`${katex.version} 4 ${displayMode} ${tex}`)
+      .update(`${katex.version} 5 ${displayMode} ${tex}`)
       .digest('base64url');
     this.used[key] =
       this.known[key] ??
       katex
-        .renderToString(displayMode ? roomy(tex) : tex, {
+        .renderToString(displayMode ? parted(roomy(tex)) : tex, {
           displayMode,
           throwOnError: true,
           trust: ({ command }) => ['\\htmlData', '\\htmlId', '\\htmlClass', '\\href'].includes(command),

@@ -20,6 +20,8 @@ const small = (text, digits, minus, plus) =>
 const tokens =
   /(?<space>\s+)|(?<number>\d+(?:[,.]\d+)?)|(?<up>[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ]+)|(?<down>[₀₁₂₃₄₅₆₇₈₉]+)|(?<word>[A-Za-z]{2,})|(?<letter>\p{L})|(?<root>√)|(?<sign>.)/uy;
 
+const differential = /^(?:d{1,2}|∂{1,2})\p{L}(?!\p{L})/u;
+
 /** TeX for words that are a formula; null for words that are words. */
 export function texOf(text) {
   let out = '';
@@ -33,7 +35,12 @@ export function texOf(text) {
       out += pending ? `{${tex}}` : tex;
       pending = false;
     };
-    if (space) continue;
+    if (space) {
+      const before = out.trimEnd();
+      if (/[\p{L}\d)}\]]$/u.test(before) && !before.endsWith('\\int') && differential.test(text.slice(tokens.lastIndex)))
+        out += '\\,';
+      continue;
+    }
     if (number) covered(number.replace(/[,.]/, (c) => `{${c}}`));
     else if (up) out += `^{${small(up, raised, '⁻', '⁺')}}`;
     else if (down) out += `_{${small(down, lowered)}}`;
@@ -96,7 +103,8 @@ export function formulasIn(text) {
     const run = pieces.slice(from, to).map(([, core]) => core).join(' ');
     const before = from && (!pieces[from - 1][2] || !pieces[from - 1][1]) ? pieces[from - 1][1] : undefined;
     const after = to < pieces.length && to > from && !pieces[to - 1][2] ? pieces[to][1] : undefined;
-    if (to > from && isWhole(run) && beside(before) && beside(after)) {
+    const signed = from === 0 && run.startsWith('+ '); // a reading may begin with its sign
+    if (to > from && isWhole(signed ? run.slice(2) : run) && beside(before) && beside(after)) {
       out.push(texOf(run), pieces[to - 1][2]);
       from = to;
     } else {
@@ -170,6 +178,31 @@ export function roomy(tex) {
     } else tall(array);
   }
   return places.sort((a, b) => b.from - a.from).reduce((out, { from, to }) => `${out.slice(0, from)}[10pt]${out.slice(to)}`, tex);
+}
+
+/**
+ * TeX of a displayed formula of several statements: on a narrow page the line ends between two of them, and not within one that
+ * is short enough for a line.
+ */
+export function parted(tex) {
+  const marks = /\\(?:begin|end|left|right)(?![A-Za-z])|\\q?quad(?![A-Za-z])|\\.|[{}]/g;
+  const parts = [];
+  let depth = 0;
+  let from = 0;
+  for (let match = marks.exec(tex); match; match = marks.exec(tex)) {
+    const [mark] = match;
+    if (mark === '{' || /^.(?:begin|left)$/.test(mark)) depth += 1;
+    else if (mark === '}' || /^.(?:end|right)$/.test(mark)) depth -= 1;
+    else if (depth === 0 && /quad$/.test(mark)) {
+      parts.push(tex.slice(from, match.index), mark);
+      from = marks.lastIndex;
+    }
+  }
+  if (!parts.length) return tex;
+  parts.push(tex.slice(from));
+  return parts
+    .map((part, i) => (i % 2 ? `${part}\\allowbreak ` : part.trim() && readable(part).length <= 32 ? `{${part.trim()}}` : part))
+    .join('');
 }
 
 /** HTML with every formula replaced by `what(its TeX)`. */

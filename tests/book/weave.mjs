@@ -12,7 +12,7 @@ import { packages } from '../../book/packages.mjs';
 import { blocks, named } from '../../book/section.mjs';
 import { rows } from '../../book/table.mjs';
 import { asked, folded } from '../../book/search.mjs';
-import { formulasIn, readable, roomy, texOf } from '../../book/tex.mjs';
+import { formulasIn, parted, readable, roomy, texOf } from '../../book/tex.mjs';
 
 const katex = packages('katex');
 const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../..');
@@ -611,16 +611,25 @@ test('rows of fractions that follow each other are given room, and no others', (
 });
 
 test('readings become formulae where they are ones, and readable again where they are searched', () => {
+  assert.equal(parted('x = 1, \\qquad y = 2'), '{x = 1,}\\qquad\\allowbreak {y = 2}');
+  const long = 'x = a + b + c + d + e + f + g + h + i + k'; // may break within
+  assert.equal(parted(`${long}, \\quad y = 2`), `${long}, \\quad\\allowbreak {y = 2}`);
+  for (const whole of ['x = 1', '\\begin{aligned} x&\\quad\\text{so} \\end{aligned}', '\\text{\\quad}'])
+    assert.equal(parted(whole), whole);
   assert.equal(texOf('dz/(1 − zz)'), 'dz/(1-zz)');
   assert.equal(texOf('1,1805'), '1{,}1805');
   assert.equal(texOf('√(cc − zz)'), '\\sqrt{cc-zz}');
   assert.equal(texOf('sin²α'), '\\sin ^{2}α');
+  assert.equal(texOf('f + c cos Φ dΦ/dt'), 'f+c\\cos Φ\\,dΦ/dt');
   assert.equal(texOf('(n:k)√gc ∓ 3aakkPP'), '(n:k)\\sqrt{gc}\\mp 3aakkPP');
   assert.equal(texOf('[ackk] / [2aafx(…)]'), '[ackk]/[2aafx(\\dots )]');
   assert.equal(texOf('the longer (maius)'), null);
   assert.equal(texOf('15½ and 31'), null);
   assert.deepEqual(formulasIn('its derivative must be 1/sinⁿ⁺¹ω, here at v = ½'), [
     'its derivative must be ', '1/\\sin ^{n+1}ω', ', here at ', 'v=\\tfrac12 ', '',
+  ]); // prettier-ignore
+  assert.deepEqual(formulasIn('+ k l(1+√2), or − k l(√2−1)'), [
+    '', '+kl\\,(1+\\sqrt{2})', ', or ', '-kl\\,(\\sqrt{2}-1)', '',
   ]); // prettier-ignore
   for (const words of ['the longer (maius)', 'GZ : GH = 1.11', 'dds is a ddΦ', 'a 3 read or set as a 5', '(1) with c', 't√2gc'])
     assert.deepEqual(formulasIn(words), [words]); // what is no formula, or may be none
