@@ -150,7 +150,7 @@ is $G$ that goes uniformly.
 
 ## Speed against error
 
-The same logarithm in five forms. Ask for `--psi 1e-12rad`.
+The same logarithm in five forms, three by Φ and two by ψ. Ask for `--psi 1e-12rad`.
 */
 
 TELL
@@ -160,11 +160,11 @@ TELL
   if(Phi == 0)
     return;  // there is no time to compare
   race("logarithm", "the logarithm of (3)", asinh(Fifty(there.s / there.c)),
-       {{"−l tan(45° − Φ:4)", [=] { return first_form(Phi, right); }, "by Φ"},
-        {"l tan(45° + Φ:4)", [=] { return second_form(Phi, right); }, "by Φ"},
-        {"artanh sin ½Φ", [=] { return std::atanh(std::sin(Phi / 2)); }, "by Φ"},
-        {"−l tan ¼ψ", [=] { return by_psi(psi); }, "by ψ"},
-        {"arsinh cot ½ψ", [=] { return std::asinh(1 / std::tan(psi / 2)); }, "by ψ"}});
+       {{"−l tan(45° − Φ:4)", [=] { return first_form(Phi, right); }},
+        {"l tan(45° + Φ:4)", [=] { return second_form(Phi, right); }},
+        {"artanh sin ½Φ", [=] { return std::atanh(std::sin(Phi / 2)); }},
+        {"−l tan ¼ψ", [=] { return by_psi(psi); }},
+        {"arsinh cot ½ψ", [=] { return std::asinh(1 / std::tan(psi / 2)); }}});
 }
 
 /*!

@@ -305,8 +305,7 @@ TELL
       {"backwards, 10⁻⁷", [=] { return follow(small, last.phi, last.r, to, 1e-7, Stepper::runge_kutta); }});
   for(const Integrator& by : integrators)
     ways.push_back({std::string("backwards, ") + by.name,
-                    [=] { return follow(small, last.phi, last.r, to, by.each, by.stepper); },
-                    "GSL, backwards"});
+                    [=] { return follow(small, last.phi, last.r, to, by.each, by.stepper); }});
   ways.push_back(
       {"forwards, 10⁻¹³", [=] { return follow(small, 5_deg, r5, to, 1e-13, Stepper::runge_kutta); }});
   for(const int n : {16, 32, 64})
@@ -321,7 +320,7 @@ TELL
   race("r", "r/a", highest(k.fifty() / a.fifty(), phi.fifty()), ways);
   std::vector<Method> whole{{"flow, on one way", [=] { return mean_by_flow(small, to); }}};
   for(const Integrator& by : integrators)
-    whole.push_back({by.name, [=] { return mean_by(by, small, to); }, "GSL, backwards"});
+    whole.push_back({by.name, [=] { return mean_by(by, small, to); }});
   race("mean", "r/a at 64 angles, their mean", mean_exactly(k.fifty() / a.fifty(), to), whole);
 }
 
