@@ -29,11 +29,11 @@ function map(book, chapter) {
       : '';
     const marks = Object.keys(sigla)
       .filter((kind) => s.entries.some((e) => e.kind === kind))
-      .map((kind) => `<abbr class="siglum" title="${kind}">${sigla[kind]}</abbr>`)
-      .join(' ');
+      .map((kind) => `\u00a0<abbr class="siglum" title="${kind}">${sigla[kind]}</abbr>`) // never alone on a line
+      .join('');
     return (
       `<li id="s${twoDigits(n)}"><span class="n">§ ${n}</span><div><a href="${s.name}.html">` +
-      `${escape(s.told.title)}</a> ${marks}` +
+      `${escape(s.told.title)}</a>${marks}` +
       `<p>${s.line}</p><p class="state">${verdict(s.holds)}</p></div>${thumbnail}</li>`
     );
   };

@@ -31,14 +31,21 @@ function legend(points) {
   const families = [...new Set(points.map((p) => p.family).filter(Boolean))].filter(
     (f) => points.filter((p) => p.family === f).length > 1,
   );
-  const colours = { ours: 'blue is this edition', Euler: 'orange-red Euler', classic: 'green a classical way', peer: 'the colour of the letters another way' };
+  const colours = {
+    ours: ['blue', 'this edition'],
+    Euler: ['orange-red', 'Euler'],
+    classic: ['green', 'a classical way'],
+    peer: ['the colour of the letters', 'another way'],
+  };
   const kinds = Object.keys(colours).filter((kind) => points.some((p) => p.kind === kind));
   return [
     'Left and low is better.',
     front(points).length > 1 ? 'The dashed steps join the ways that no other beats in both.' : '',
     families.length === 1 ? 'The solid line joins one way with more and more terms or steps.' : '',
     families.length > 1 ? 'A solid line joins one way with more and more terms or steps.' : '',
-    kinds.length > 1 ? `${capital(list(kinds.map((kind) => colours[kind])))}.` : '',
+    kinds.length > 1
+      ? `${capital(list(kinds.map((kind, n) => colours[kind].join(n === 0 ? ' is ' : ' '))))}.`
+      : '',
     points.some((p) => p.error < floor) ? 'What is nearer than 10⁻¹⁷ is drawn at 10⁻¹⁷.' : '',
   ]
     .filter(Boolean)

@@ -20,6 +20,8 @@ const small = (text, digits, minus, plus) =>
 const tokens =
   /(?<space>\s+)|(?<number>\d+(?:[,.]\d+)?)|(?<up>[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ]+)|(?<down>[₀₁₂₃₄₅₆₇₈₉]+)|(?<word>[A-Za-z]{2,})|(?<letter>\p{L})|(?<root>√)|(?<sign>.)/uy;
 
+const differential = /^(?:d{1,2}|∂{1,2})\p{L}(?!\p{L})/u;
+
 /** TeX for words that are a formula; null for words that are words. */
 export function texOf(text) {
   let out = '';
@@ -33,7 +35,12 @@ export function texOf(text) {
       out += pending ? `{${tex}}` : tex;
       pending = false;
     };
-    if (space) continue;
+    if (space) {
+      const before = out.trimEnd();
+      if (/[\p{L}\d)}\]]$/u.test(before) && !before.endsWith('\\int') && differential.test(text.slice(tokens.lastIndex)))
+        out += '\\,';
+      continue;
+    }
     if (number) covered(number.replace(/[,.]/, (c) => `{${c}}`));
     else if (up) out += `^{${small(up, raised, '⁻', '⁺')}}`;
     else if (down) out += `_{${small(down, lowered)}}`;
@@ -102,7 +109,8 @@ export function formulasIn(text) {
     const run = pieces.slice(from, to).map(([, core]) => core).join(' ');
     const before = from && (!pieces[from - 1][2] || !pieces[from - 1][1]) ? pieces[from - 1][1] : undefined;
     const after = to < pieces.length && to > from && !pieces[to - 1][2] ? pieces[to][1] : undefined;
-    if (to > from && isWhole(run) && beside(before) && beside(after)) {
+    const signed = from === 0 && run.startsWith('+ '); // a reading may begin with its sign
+    if (to > from && isWhole(signed ? run.slice(2) : run) && beside(before) && beside(after)) {
       out.push(texOf(run), pieces[to - 1][2]);
       from = to;
     } else {

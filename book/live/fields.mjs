@@ -82,8 +82,9 @@ export function slider({ name, kind, default: usual, lo, hi, lo_open: above, hi_
 export function field(p) {
   const slides = slider(p);
   const name = escape(`${letter(p.name)}, ${p.meaning}${p.unit ? `, in ${p.unit}` : ''}`);
+  const usual = typed(p.default);
   const input =
-    `<input type="text" name="${p.name}" value="${typed(p.default)}" size="9" inputmode="decimal" autocomplete="off" ` +
+    `<input type="text"${usual.length > 14 ? ' class="long"' : ''} name="${p.name}" value="${usual}" size="9" inputmode="decimal" autocomplete="off" ` +
     `spellcheck="false" aria-label="${name}">`;
   if (!slides) return withUnit(input, p.unit);
   return (

@@ -196,10 +196,10 @@ async function putFormulae(value, usual) {
   const { katex } = self;
   const set = (number) => {
     const box = make('div', { innerHTML: katex.renderToString(asTeX(number), { output: 'htmlAndMathml' }) });
-    return all('.katex-html > .base', box)
+    return all('.katex-html > .katex-base', box)
       .map((base) => base.innerHTML)
       .join('')
-      .replace(/<span class="strut"[^>]*><\/span>/g, '');
+      .replace(/<span class="katex-strut"[^>]*><\/span>/g, '');
   };
   for (const formula of formulae) {
     const before = kept.get(formula)?.html ?? formula.innerHTML;

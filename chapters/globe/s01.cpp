@@ -22,7 +22,7 @@ Let $y$ be measured upwards and $z$ along the axis, both from the centre of grav
 turns about that axis with the angular velocity $w$, every particle pulls outwards with $ww$ times its mass
 and distance from the axis. About $G$ these pulls have the moment
 
-$$ \begin{aligned} ww&\sum m\,yz \quad\text{about the line of the way,}\\
+$$ \begin{aligned} -ww&\sum m\,yz \quad\text{about the line of the way,}\\
    ww&\sum m\,xz \quad\text{about the vertical,} \end{aligned} \tag{A} $$
 
 and the forces at the point of contact could have such a moment only if one of them acted sideways, which
@@ -217,7 +217,7 @@ CHECK_THAT("the moments told are those of the eight particles, and the axis told
           == within(product * (cosine * cosine - sine * sine), 1e-44 * double(kk + yy), "no product left"));
     // With the wobble told no moment is asked for along the way; without it ww times the product is.
     const Fifty asked = moment_of(all, 0), slope = moment_of(all, 1) - asked;
-    CHECK(abs(asked) == within(product, 1e-44 * double(kk + yy), "(A)"));
+    CHECK(-asked == within(-product, 1e-44 * double(kk + yy), "(A)"));
     CHECK(now.value("wobble")
           == within(-asked / slope, 1e-15 * double(abs(asked / slope)) + 1e-44, "rounded once"));
   }

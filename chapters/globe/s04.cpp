@@ -34,8 +34,8 @@ backwards, and a pressure Π, both of which follow from the equations of {{sec g
 $w = d\Phi/dt$ alone; so
 
 $$ \begin{aligned} |F| &\le \mu\Pi: \text{ it rolls;}\\
-   F &> \mu\Pi: \text{ it begins to scrape to } O;\\
-   F &< -\mu\Pi: \text{ it begins to scrape to } I. \end{aligned} \tag{A} $$
+   F &> \mu\Pi: \text{ it will scrape to } O;\\
+   F &< -\mu\Pi: \text{ it will scrape to } I. \end{aligned} \tag{A} $$
 
 And two things are passed over. The plane cannot pull: when $2g + cww\cos\Phi$ becomes negative the ball
 leaves it, with or without friction. And where it does scrape, more pressure makes more friction, which may

@@ -275,7 +275,7 @@ CHECK_THAT("the readings drawn are the formulae less the integral")
 
 ::: exercise
 Halve $c$. By how much does the error of {{eq 5}} in $t\sqrt{2gc}$ shrink, with either coefficient?
-answer: With 2cc:3k what is left is of the order of $c^4$, and the error is 16 times less; with $cc:3k$ it
+answer: With $2cc:3k$ what is left is of the order of $c^4$, and the error is 16 times less; with $cc:3k$ it
 is of the order of $cc$, and only 4 times less.
 :::
 */

@@ -150,7 +150,7 @@ is $G$ that goes uniformly.
 
 ## Speed against error
 
-The same logarithm in five forms. Ask for `--psi 1e-12rad`.
+The same logarithm in five forms, three by Φ and two by ψ. Ask for `--psi 1e-12rad`.
 */
 
 TELL

@@ -158,7 +158,7 @@ alt: Three lines against n, both logarithmic. The steepest falls as the fourth p
 square, the third is level. The steep line, of the term that is not mentioned, is the highest of them till
 well beyond an upright line, right of which the plane does not hold the ball.
 
-What {{eq 5}} leaves out on the average over a turn, for this ball, as parts of the whole. On this side of the
+What {{eq 5}} leaves out on the average over a turn, for this ball, as parts of the whole. Left of the
 upright line the ball stays on the plane, and there the term that is not mentioned is the greater.
 :::
 

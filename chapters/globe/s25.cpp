@@ -347,8 +347,8 @@ CHECK_THAT("the way and the portrait are (3), and §11 on a smooth plane")
 ## Go on from here
 
 ::: exercise
-Of the living force, {{eq A}}, one part is the progress of $G$. Where has a rolling ball the greatest share
-of it there?
+Of the living force, {{eq A}}, one part is the progress of $G$ forwards. Where has a rolling ball the greatest
+share of it there?
 
 answer: The share is $yy/(yy + cc\sin^2\Phi + kk)$, and with $c < a$ it is greatest at the top, where $y$ is
 greatest and $\sin\Phi = 0$; in the table it comes to {{top_share|3}}. It does not depend on the energy.

@@ -282,7 +282,7 @@ TELL
   const Angle<double> turned = angle_of(static_cast<double>(where.angle()), at);
   const double b = std::hypot(ball.gap, k), n_ = n, fast = std::sqrt(2.) * n_;
   race("time", "t√(2gc)", oracle::rolling_time(exact_ball(a, c, k), e0, where.fifty()),
-       {{"rule, (3)", [=] { return rule(ball, b, n_, turned) / fast; }, "series"},
+       {{"rule, (3)", [=] { return rule(ball, b, n_, turned) / fast; }},
         {"first order, (B)", [=] { return right(ball, b, n_, turned) / fast; }, "series"},
         {"second order, (B) + (C)",
          [=] { return (right(ball, b, n_, turned) + second_order(ball, b, n_, turned)) / fast; }, "series"},

@@ -62,7 +62,7 @@ inline Asked_energy asked_energy(double default_h)
 {
   using namespace edition;
   return {real("h", default_h, none, scale, "energy, as a part of what the top asks for"),
-          real("from_top", 0, none, from_below(-1e100, 1), "1 - h instead of h, where not 0"),
+          real("from_top", 0, none, from_below(-1e100, 1), "1 − h instead of h, where not 0"),
           real("zeta", 0, Unit{"1/s"}, closed(0, 1e100),
                "angular velocity at the lowest place instead of h, where not 0")};
 }
@@ -89,7 +89,7 @@ inline Asked_place asked_place(double default_Phi)
 {
   using namespace edition;
   return {angle("Phi", default_Phi, closed(0, std::numbers::pi), "angle turned from the lowest place"),
-          angle("psi", 0, closed(0, std::numbers::pi), "180° - Phi instead of Phi, where not 0")};
+          angle("psi", 0, closed(0, std::numbers::pi), "180° − Phi instead of Phi, where not 0")};
 }
 
 /// Refuses a ball that the functions of rolling.hpp do not take: a or c beyond 10²⁰ √((a − c)² + kk).

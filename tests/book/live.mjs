@@ -161,6 +161,7 @@ for (const [program, given] of [
   ['pendulum-11', { zeta: '60' }],
   ['pendulum-11', { eta: '1e-300rad' }],
   ['pendulum-05', { zeta: '150', t: '2.5' }],
+  ['globe-04', { c: '0.2' }], // with a number in a formula
 ]) {
   await open(program);
   for (const [name, text] of Object.entries(given)) await write(name, text);
@@ -179,6 +180,16 @@ for (const [program, given] of [
       [asText(number_), asText({ ...number_, suffix: '' })].includes(text),
       `${where}: ${full} reads ${text}, not ${asText(number_)}`,
     );
+  }
+  const inFormulae = await page.$$eval('main .katex-html [data-name]', (all) =>
+    all.map((e) => [e.dataset.name, e.dataset.format, e.textContent]),
+  );
+  for (const [full, spec, text] of inFormulae) {
+    const [chapter, number, name] = full.split('.');
+    const it = `${chapter}-${number}` === program && [...told.parameters, ...told.values].find((x) => x.name === name);
+    if (!it) continue;
+    const { digits } = format(it, spec);
+    expect(text.includes(digits), `${where}: in a formula ${full} reads "${text}", not ${digits}`);
   }
   for (const table of told.tables) {
     const html = await page

@@ -638,6 +638,7 @@ test('readings become formulae where they are ones, and readable again where the
   assert.equal(texOf('1,1805'), '1{,}1805');
   assert.equal(texOf('√(cc − zz)'), '\\sqrt{cc-zz}');
   assert.equal(texOf('sin²α'), '\\sin ^{2}α');
+  assert.equal(texOf('f + c cos Φ dΦ/dt'), 'f+c\\cos Φ\\,dΦ/dt');
   assert.equal(texOf('(n:k)√gc ∓ 3aakkPP'), '(n:k)\\sqrt{gc}\\mp 3aakkPP');
   assert.equal(texOf('[ackk] / [2aafx(…)]'), '[ackk]/[2aafx(\\dots )]');
   assert.equal(texOf('the longer (maius)'), null);
@@ -646,6 +647,9 @@ test('readings become formulae where they are ones, and readable again where the
     'its derivative must be ', '1/\\sin ^{n+1}ω', ', here at ', 'v=\\tfrac12 ', '',
   ]); // prettier-ignore
   assert.deepEqual(formulasIn('(a−s)²(c − ∫(a−s)dφ sin φ) over kk'), ['', '(a-s)^{2}(c-\\int (a-s)dφ\\sin φ)', ' over kk']);
+  assert.deepEqual(formulasIn('+ k l(1+√2), or − k l(√2−1)'), [
+    '', '+kl\\,(1+\\sqrt{2})', ', or ', '-kl\\,(\\sqrt{2}-1)', '',
+  ]); // prettier-ignore
   for (const words of ['the longer (maius)', 'GZ : GH = 1.11', 'dds is a ddΦ', 'a 3 read or set as a 5', '(1) with c', 't√2gc'])
     assert.deepEqual(formulasIn(words), [words]); // what is no formula, or may be none
   assert.equal(readable('\\frac{t\\sqrt{2g}}{\\sqrt b} = \\tfrac12\\ln 2^{-3}'), '(t√(2g))/(√b) = ½ln 2⁻³');
