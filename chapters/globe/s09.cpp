@@ -33,11 +33,11 @@ moment.
 
 What was thrown out is the plane. Forces that act at $S$ have no moment about $S$, and $-Pc\sin\Phi$ is that
 of the weight. So {{eq 1}} may be said in one breath: the masses of the ball times their accelerations have
-about $S$ the moment of its weight. It is tempting to read it as "what the moment of momentum about $S$,
+about $S$ the moment of its weight. It is tempting to read it as “what the moment of momentum about $S$,
 
 $$ H = y\frac{dx}{dt} + c\frac{dy}{dt}\sin\Phi + kk\frac{d\Phi}{dt}, \tag{A} $$
 
-gains in the time $dt$"; but the place $S$ moves with the velocity $ds/dt$, and $G$ rises meanwhile, so that
+gains in the time $dt$”; but the place $S$ moves with the velocity $ds/dt$, and $G$ rises meanwhile, so that
 
 $$ \frac{dH}{dt} = -2gc\sin\Phi + \frac{ds}{dt}\,\frac{dy}{dt}. \tag{B} $$
 

@@ -104,6 +104,8 @@ function judged() {
   text.querySelectorAll('pre, code, .katex-mathml, script, style').forEach((e) => e.remove());
   const raw = /\\[a-zA-Z]+|\$\$|\{\{|\}\}|:::|@(?:param|return|file)\b/.exec(text.textContent);
   if (raw) wrong.push(`raw TeX or a raw command: ${text.textContent.slice(raw.index - 20, raw.index + 30)}`);
+  const stroke = document.body.classList.contains('library') ? null : /\p{L}['"]|"\p{L}/u.exec(text.textContent);
+  if (stroke) wrong.push(`a straight apostrophe or quotation mark: ${text.textContent.slice(stroke.index - 20, stroke.index + 30)}`);
   if (document.querySelector('.katex-error')) wrong.push('a formula that did not parse');
   return {
     wrong,
