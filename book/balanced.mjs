@@ -33,5 +33,5 @@ export function balanced(html) {
       return `${before}<${name}${rest}>`;
     },
   );
-  return (text + close(0)).replace(/<p(?: [^>]*)?>\s*<\/p>/g, '');
+  return (text + close(0)).replace(/<p(?: (?![^>]*\bid=)[^>]*)?>\s*<\/p>/g, ''); // one that has a name is filled later
 }

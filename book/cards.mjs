@@ -1,7 +1,7 @@
 // The edition's standing forms: the verdict of a check, its claims, an entry of the apparatus, what a section's
 // program can be given.
 import { claims, table, tableEnd, verdict } from './claims.mjs';
-import { escape } from './escape.mjs';
+import { escape, said } from './escape.mjs';
 import { field } from './live/fields.mjs';
 import { formulasIn, texOf } from './tex.mjs';
 
@@ -16,12 +16,12 @@ function words(text, formulas, stop = '') {
     return parts
       .map((part, i) => {
         const end = i === ends ? stop : '';
-        if (i % 2 === 0) return escape(part) + end;
+        if (i % 2 === 0) return said(part) + end;
         return formulas.set(end ? `${part}\\text{${end}}` : part, false, part + end);
       })
       .join('');
   } catch {
-    return escape(text) + stop; // no formula after all
+    return said(text) + stop; // no formula after all
   }
 }
 
@@ -62,7 +62,7 @@ export function parameters(section, live) {
     (p) =>
       `<tr data-parameter="${p.name}"><th scope="row"><code class="whole">${p.name}</code></th>` +
       `<td${live ? ' class="field"' : ''}>${live ? field(p) : defaultOf(p)}</td>` +
-      `<td class="word range">${escape(p.range)}</td><td class="word">${escape(p.meaning)}${
+      `<td class="word range">${escape(p.range)}</td><td class="word">${said(p.meaning)}${
         p.default_at_most ? `; unless given, at most ${escape(p.default_at_most)}` : ''
       }</td></tr>`,
   );

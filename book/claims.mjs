@@ -1,5 +1,5 @@
 // What came of a check: its verdict and its claims; the weaver's, and the page's own when it runs them again.
-import { escape } from './escape.mjs';
+import { escape, said } from './escape.mjs';
 
 export const verdict = (holds) =>
   `<span class="verdict ${holds ? 'holds' : 'fails'}">${holds ? '✓ holds' : '✗ fails'}</span>`;
@@ -25,7 +25,7 @@ export function claims(all, check) {
       `<tr data-check="${check}" data-claim="${i + 1}"><td class="claim"><code>${escape(c.expression)}</code>` +
       `${c.passed ? '' : ` ${verdict(false)}`}${times(c)}</td>` +
       `<td data-label="got">${escape(c.got)}</td><td data-label="expected">${escape(c.expected)}</td>` +
-      `<td data-label="within">${escape(c.tolerance)}</td><td class="word" data-label="because">${escape(c.because)}</td></tr>`,
+      `<td data-label="within">${escape(c.tolerance)}</td><td class="word" data-label="because">${said(c.because)}</td></tr>`,
   );
   const made = all.reduce((n, c) => n + c.times, 0);
   return (

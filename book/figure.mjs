@@ -1,6 +1,6 @@
 // From gnuplot's SVG to the book's: colours by name so that they follow light and dark, ids of its own, real
 // words for those who cannot see it; and from the same drawing a file to take away and a thumbnail.
-import { escape } from './escape.mjs';
+import { printed, said } from './escape.mjs';
 
 /** The palette that figures/style.gp defines: [{ name, light, dark }]. */
 export function palette(style) {
@@ -40,6 +40,7 @@ function drawing(svg, name, colours) {
     .replace(/\bid=(["'])/g, `id=$1${name}-`)
     .replace(/url\(#/g, `url(#${name}-`)
     .replace(/(?:<g [^>]*>\s*<\/g>\s*)+/g, '')
+    .replace(/>[^<>]*'[^<>]*</g, printed)
     .replace(/\t/g, ' ') // Doxygen would make some blanks of them
     .replace(/^\s+/gm, '');
 }
@@ -57,7 +58,7 @@ export function inline(svg, name, alt, colours) {
   return (
     `<svg width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img" aria-labelledby="` +
     `${name}-title ${name}-desc">` +
-    `<title id="${name}-title">${escape(first)}</title><desc id="${name}-desc">${escape(alt)}</desc>\n` +
+    `<title id="${name}-title">${said(first)}</title><desc id="${name}-desc">${said(alt)}</desc>\n` +
     `${drawing(svg, name, colours)}</svg>\n`
   );
 }
@@ -67,8 +68,8 @@ export function standalone(svg, name, alt, colours) {
   const [width, height] = size(svg);
   return (
     `<svg ${xmlns} width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">\n<title>` +
-    `${escape(name)}</title>` +
-    `<desc>${escape(alt)}</desc>\n<style>` +
+    `${said(name)}</title>` +
+    `<desc>${said(alt)}</desc>\n<style>` +
     `${schemes(colours)}text{font-family:"EB Garamond",Garamond,Georgia,serif}</style>\n` +
     `${drawing(svg, name, colours)}</svg>\n`
   );

@@ -7,7 +7,7 @@ import path from 'node:path';
 import { balanced } from './balanced.mjs';
 import { palette, paletteCss } from './figure.mjs';
 import { packages } from './packages.mjs';
-import { Formulas, escape } from './prose.mjs';
+import { Formulas, escape, said } from './prose.mjs';
 import { readable, withoutFormulas } from './tex.mjs';
 
 process.on('uncaughtException', (error) => {
@@ -140,7 +140,7 @@ function usedBy(file) {
     .filter(([, users]) => users.length)
     .map(([c, users]) => {
       const links = users.map(
-        (p) => `<a href="${p.name}.html" title="${escape(p.title)}">§ ${p.number}</a>`,
+        (p) => `<a href="${p.name}.html" title="${said(p.title)}">§ ${p.number}</a>`,
       );
       return `${escape(c.short)} ${links.join(', ')}`;
     });
@@ -192,11 +192,11 @@ function contents(current) {
     const here = p.name === current.name;
     const outline =
       here && p.outline?.length
-        ? `<ul>${p.outline.map(([id, h]) => `<li><a href="#${id}">${escape(h)}</a></li>`).join('')}</ul>`
+        ? `<ul>${p.outline.map(([id, h]) => `<li><a href="#${id}">${said(h)}</a></li>`).join('')}</ul>`
         : '';
     return (
       `<li><a href="${p.name}.html"${here ? ' aria-current="page"' : ''}>` +
-      `${p.number ? `<span class="n">${p.number}</span> ` : ''}${escape(p.title)}</a>${outline}</li>`
+      `${p.number ? `<span class="n">${p.number}</span> ` : ''}${said(p.title)}</a>${outline}</li>`
     );
   };
   const plain = (list) => `<ul>\n${list.map(item).join('\n')}\n</ul>`;
@@ -218,7 +218,7 @@ function turn(index) {
   const link = (p, rel, word) =>
     p
       ? `<a rel="${rel}" href="${p.name}.html"><span class="way">${word}</span> ` +
-        `${p.number ? `§ ${p.number}. ` : ''}${escape(p.title)}</a>`
+        `${p.number ? `§ ${p.number}. ` : ''}${said(p.title)}</a>`
       : '';
   const [before, after] = neighbours(index);
   return link(before, 'prev', 'Previous') + link(after, 'next', 'Next');
@@ -227,7 +227,7 @@ function turn(index) {
 /** The same for the banner, and for browsers that look at the head. */
 function arrows(index) {
   const [before, after] = neighbours(index);
-  const one = (p, word, sign) => (p ? `<a href="${p.name}.html" aria-label="${word}: ${escape(p.title)}">${sign}</a>` : '');
+  const one = (p, word, sign) => (p ? `<a href="${p.name}.html" aria-label="${word}: ${said(p.title)}">${sign}</a>` : '');
   return one(before, 'Previous', '←') + one(after, 'Next', '→');
 }
 

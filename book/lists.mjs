@@ -4,8 +4,8 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { reading, sigla } from './cards.mjs';
 import { table, tableEnd, verdict } from './claims.mjs';
-import { escape, heading, slug } from './prose.mjs';
-import { asTime } from './numbers.mjs';
+import { escape, heading, said, slug } from './prose.mjs';
+import { asText, asTime, format } from './numbers.mjs';
 import * as speed from './speed.mjs';
 import * as systems from './systems.mjs';
 
@@ -33,14 +33,14 @@ function map(book, chapter) {
       .join('');
     return (
       `<li id="s${twoDigits(n)}"><span class="n">§ ${n}</span><div><a href="${s.name}.html">` +
-      `${escape(s.told.title)}</a>${marks}` +
+      `${said(s.told.title)}</a>${marks}` +
       `<p>${s.line}</p><p class="state">${verdict(s.holds)}</p></div>${thumbnail}</li>`
     );
   };
   const numbers = Array.from({ length: chapter.sections }, (_, i) => i + 1);
   const needs = book.read(`chapters/${chapter.id}/map.md`)
     ? `<p><a href="${chapter.id}-map.html">What needs what</a>: a drawn map, a route of a few sections, and the ` +
-      `argument in today's notation.</p>\n`
+      `argument in today’s notation.</p>\n`
     : '';
   return `${heading('The sections', 'sections')}${needs}<ol class="map">\n${numbers.map(entry).join('\n')}\n</ol>\n`;
 }
@@ -96,15 +96,15 @@ function sections(book) {
           s.figures.map((f, k) => `<a href="${s.name}.html#fig-${k + 1}">${f}</a>`).join(', ') ||
           `none: ${s.noFigure}`;
         return (
-          `<tr><th scope="row"><a href="${s.name}.html">§ ${i + 1}</a></th><td class="word"><a href="` +
-          `${s.name}.html">${escape(s.told.title)}</a></td>` +
+          `<tr><th scope="row"><a href="${s.name}.html">§\u00a0${i + 1}</a></th><td class="word"><a href="` +
+          `${s.name}.html">${said(s.told.title)}</a></td>` +
           `<td class="word"><a href="programs/${s.name}.cpp"><code class="whole">${s.name}</code></a></td>` +
           `<td>${s.checks} ${verdict(s.holds)}</td><td class="word">${figures}</td></tr>`
         );
       });
       return (
         heading(escape(c.title), c.id) +
-        `${table(`Sections of ${c.short}`, ['', 'page', 'program', 'checks', 'figures'])}${rows.join('\n')}` +
+        `${table(`Sections of ${c.short}`, ['', 'page', 'program', 'checks', 'figures'], ' sections')}${rows.join('\n')}` +
         `${tableEnd}`
       );
     })
@@ -150,7 +150,7 @@ function glossary(book, _, page) {
       const p = book.page(file); // of no chapter, so that a section is named with its own
       const meaning = p.html(text.replace(/^[:] ?|\n: ?/g, '\n').trim(), line);
       for (const [name, number] of p.numbers) page.numbers.set(name, number);
-      return `<dt id="term-${id}">${escape(term)}</dt>\n<dd>${meaning}</dd>`;
+      return `<dt id="term-${id}">${said(term)}</dt>\n<dd>${meaning}</dd>`;
     });
   return `<dl class="glossary">\n${items.join('\n')}\n</dl>\n`;
 }
@@ -187,12 +187,16 @@ function citation(book) {
   );
 }
 
+/** A recorded number in two digits. */
+const inTwo = (x) => asText(format({ value: x }, '2'));
+
 /** `{{collected peers}}`: K and Φ(t) beside JavaScript's packages, as book/live/peers recorded them. */
 function peers(book) {
   const { engine, races } = JSON.parse(book.read('book/live/peers.json'));
   const row = (unit) => (w) =>
-    `<tr><th scope="row">${escape(w.name)}</th><td>${asTime(w.seconds)}</td><td>${w.ratio}</td>` +
-    `<td>${w.error === undefined ? '' : `${w.error} ${unit}`}${w.of_k2 ? ` (${w.of_k2} of the rounded kk)` : ''}</td></tr>`;
+    `<tr><th scope="row">${escape(w.name)}</th><td>${asTime(w.seconds)}</td><td>${inTwo(w.ratio)}</td>` +
+    `<td>${w.error === undefined ? '' : `${inTwo(w.error)} ${unit}`}` +
+    `${w.of_k2 ? ` (${inTwo(w.of_k2)} of the rounded cc)` : ''}</td></tr>`;
   return races
     .map(
       ({ quantity, unit, ways }) =>
@@ -214,7 +218,7 @@ const search = () => `<form class="search" role="search" action="search.html">
 <label for="q">Search the book</label> <input id="q" name="q" type="search" autocomplete="off">
 <button>Search</button>
 </form>
-<noscript><p>The search needs a script; all else in this book does without.</p></noscript>
+<noscript><p>The search needs a script; what the pages say can be read without one.</p></noscript>
 <p id="found" role="status"></p>
 <ol id="results"></ol>
 <script src="search.js" defer></script>

@@ -1,5 +1,5 @@
 // A chapter's map: which section needs which, drawn beside the list of all; and a way through it in a few sections.
-import { escape } from './prose.mjs';
+import { said } from './prose.mjs';
 
 const row = 26; // pixels, as style.css has it
 const width = 150;
@@ -50,11 +50,11 @@ function map(text, page, line) {
   const item = (_, i) => {
     const s = page.book.sections.get(`${chapter.id}.${twoDigits(i + 1)}`);
     const needed = pairs.filter(([to]) => to === i + 1).map(([, from]) => `§\u00a0${from}`);
-    const said = needed.length ? `<span class="needed"> needs ${needed.join(', ')}</span>` : '';
+    const behind = needed.length ? `<span class="needed"> needs ${needed.join(', ')}</span>` : '';
     const title = s
-      ? `<a href="${s.name}.html">${escape(s.told.title)}</a>`
+      ? `<a href="${s.name}.html">${said(s.told.title)}</a>`
       : '<span class="not-yet">not yet</span>';
-    return `<li><span class="n">§ ${i + 1}</span> ${title}${said}</li>`;
+    return `<li><span class="n">§ ${i + 1}</span> ${title}${behind}</li>`;
   };
   return (
     `<div class="needs">${arcs(pairs, chapter.sections)}<ol>\n` +
@@ -72,7 +72,7 @@ function route(text, page, line) {
       const id = `${page.chapter}.${twoDigits(n)}`;
       const s = page.book.sections.get(id);
       return (
-        `<li>${page.linkToSection(id)}${s ? ` <span class="title">${escape(s.told.title)}</span>` : ''}` +
+        `<li>${page.linkToSection(id)}${s ? ` <span class="title">${said(s.told.title)}</span>` : ''}` +
         `<p>${page.inline(why, at)}</p></li>`
       );
     })

@@ -3,7 +3,7 @@
 import { createHash } from 'node:crypto';
 import fs from 'node:fs';
 import { sigla } from './cards.mjs';
-import { escape } from './escape.mjs';
+import { escape, said } from './escape.mjs';
 import { packages } from './packages.mjs';
 import { asTeX, asText, fits, format, handTyped } from './numbers.mjs';
 import { isWord, rows } from './table.mjs';
@@ -12,7 +12,7 @@ import { breaking, clauses, roomy } from './tex.mjs';
 const MarkdownIt = packages('markdown-it');
 const katex = packages('katex');
 
-export { escape };
+export { escape, said };
 
 /** A function's name set as though it were a product of letters, as KaTeX's MathML then says; and what is said of it. */
 export const asProduct = /\\mathrm\{[a-z]{2,}\}/;
@@ -479,7 +479,7 @@ export class Page {
     const head = table.columns.map(
       (c, i) =>
         `<th scope="col"${table.rows.every((row) => isWord(row[i])) ? ' class="word"' : ''}>` +
-        `${escape(c.heading)}${c.unit ? ` <span class="unit">${escape(c.unit)}</span>` : ''}</th>`,
+        `${said(c.heading)}${c.unit ? ` <span class="unit">${escape(c.unit)}</span>` : ''}</th>`,
     );
     return (
       `<div class="table" tabindex="0" role="group" aria-label="Table"><table class="told" data-table="${table.name}">` +

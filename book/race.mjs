@@ -59,15 +59,20 @@ function race(name, given, quantity, lowest = 0) {
   ];
   const [left, right] = decades('seconds', 0.05);
   const [low, high] = decades('drawn', 0.3);
-  const labelled = spread(
-    points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family)),
-    (high - low) / 13,
-  );
+  const named = points.filter((p) => !p.family || p === points.findLast((q) => q.family === p.family));
   // Below what is clipped there is room for the line that says so; at the right, for the longest name.
   const clipped = points.some((p) => p.error < lowest);
   const bottom = low - (clipped ? Math.ceil((high - low) * 0.06) : 0);
-  const edge = Math.min(0.64, 1 - (12 + 7.4 * Math.max(...labelled.map((p) => p.name.length))) / 640);
-  const top = Math.max(high, Math.ceil(Math.max(...labelled.map((p) => p.height)) + 0.3));
+  const edge = Math.min(0.64, 1 - (12 + 7.4 * Math.max(...named.map((p) => p.name.length))) / 640);
+  // Names that are spread may want a higher frame, in which they stand nearer again.
+  let [top, labelled] = [high, []];
+  for (let reached = top, tries = 0; tries < 4 && (reached > top || !tries); tries += 1) {
+    top = reached;
+    labelled = spread(named, (top - bottom) / Math.max(13, 1.1 * named.length));
+    reached = Math.max(high, Math.ceil(Math.max(...labelled.map((p) => p.height)) + 0.3));
+  }
+  // Where the decades are narrow, every second or third has its number.
+  const every = Math.ceil((56 * (right - left)) / (640 * edge - 80));
   const heads = ['name', 'seconds', 'error', 'drawn', 'height', 'colour'];
   const rows = (list) =>
     list.map((p) => [p.name, p.seconds, p.error, p.drawn, 10 ** (p.height ?? 0), colour[p.kind]]);
@@ -81,7 +86,7 @@ function race(name, given, quantity, lowest = 0) {
     ],
     `quantity='${quantity}'; families=${families.length}; ` +
       `clipped=${clipped ? lowest : 0}; edge=${edge.toFixed(3)}; ` +
-      `left=1e${left}; right=1e${right}; low=1e${bottom}; high=1e${top}`,
+      `left=1e${left}; right=1e${right}; low=1e${bottom}; high=1e${top}; every=1e${every}`,
   );
 }
 

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { parameters, reading, sigla } from './cards.mjs';
 import { claims, verdict } from './claims.mjs';
 import { code, explained, html, page } from './doxygen.mjs';
-import { Page, anchor, escape, heading, slug } from './prose.mjs';
+import { Page, anchor, escape, heading, said, slug } from './prose.mjs';
 import { races } from './speed.mjs';
 import { terminal } from './terminal.mjs';
 import { bareWords } from './tex.mjs';
@@ -60,7 +60,7 @@ function illustrations(s) {
   ].filter(([, what]) => what.illustration);
   return named.length
     ? `<p class="illustrations">No check looks at ${named
-        .map(([name, what]) => `<code class="whole">${escape(name)}</code> (${escape(what.illustration)})`)
+        .map(([name, what]) => `<code class="whole">${escape(name)}</code> (${said(what.illustration)})`)
         .join(', ')}.</p>\n`
     : '';
 }
@@ -90,7 +90,7 @@ function head(s, book, claimed) {
   return (
     `<header class="opening"><p class="running"><a href="${s.chapter}.html">${escape(chapter.title)}</a> ` +
     `<span class="section-number">§ ${Number(s.number)}</span></p>\n` +
-    `<h1>${escape(s.told.title)}</h1></header>\n<aside class="margin summary"><p>${verdict(s.holds)} ` +
+    `<h1>${said(s.told.title)}</h1></header>\n<aside class="margin summary"><p>${verdict(s.holds)} ` +
     `<a href="#checks">${checks}</a></p>` +
     kinds
       .filter(([, n]) => n)
@@ -158,7 +158,7 @@ export function sectionPage(s, book) {
       return (
         html(
           `${fold}<section class="check" id="check-${checks}"><p class="statement">${verdict(run.passed)} ` +
-            `${escape(sentence(b.name))}${anchor(`check-${checks}`)}</p>`,
+            `${said(sentence(b.name))}${anchor(`check-${checks}`)}</p>`,
         ) +
         code(b.code, b.line, fault) +
         html(`${claims(run.claims, checks)}</section>${end}`)

@@ -3,7 +3,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { table, tableEnd } from './claims.mjs';
 import { asText, asTime, format } from './numbers.mjs';
-import { escape } from './prose.mjs';
+import { escape, said } from './prose.mjs';
 import { drawn, familyOf, fails, floor, front, groups, idOf, kindOf, plainly, recordedOf, worst } from './scenes.mjs';
 import { lookedAt } from './sectionpage.mjs';
 
@@ -23,7 +23,10 @@ function plot(book, name, alt, caption, script = 'race', page = null) {
   return drawn ? book.plot(name, `figures/${script}.gp`, alt, caption, page) : '';
 }
 
-const capital = (words) => words[0].toUpperCase() + words.slice(1);
+/** Words with a capital, unless they begin with a letter that would be another one: τ is no T. */
+const capital = (words) => (/^\p{Script=Latin}/u.test(words) ? words[0].toUpperCase() + words.slice(1) : words);
+/** What a scene of the library asks for, as a caption begins: Carlson's letters have indices. */
+const asked = (quantity) => said(capital(quantity)).replace(/\b(R)_([A-Z])\b/g, '<i>$1</i><sub>$2</sub>');
 const list = (words) => (words.length < 2 ? words.join('') : `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`);
 
 /** What there is to see in a plot of error against time: what is not in it is not spoken of. */
@@ -73,7 +76,7 @@ export function races(section, book, page) {
           ...(recorded.length ? [time ? asTime(time.seconds) : '', time ? ratio(time) : ''] : []),
         ];
         return (
-          `<tr data-method="${escape(m.name)}"><th scope="row">${escape(m.name)}</th>` +
+          `<tr data-method="${escape(m.name)}"><th scope="row">${said(m.name)}</th>` +
           `${cells.map((c) => `<td>${c}</td>`).join('')}</tr>\n`
         );
       });
@@ -93,13 +96,13 @@ export function races(section, book, page) {
         .map((m) => ({ ...m, kind: kindOf(m.name), seconds: timed(m).seconds, error: m.relative }));
       const looked = lookedAt(section, race.name);
       return (
-        `<div data-race="${race.name}"><p class="race">${escape(race.quantity)} to thirty digits: ` +
+        `<div data-race="${race.name}"><p class="race">${said(race.quantity)} to thirty digits: ` +
         `<span class="digits">${exact}</span></p>\n` +
         `${plot(book, `${section.name}.race-${race.name}`, alt, `Error against time for one evaluation. ${legend(points)}`, 'race', page)}` +
         `${table(`Ways to ${escape(race.quantity)}`, heads)}${rows.join('')}${tableEnd}</div>` +
         `<p class="provenance">${looked && `The errors are looked at by ${looked}. `}${
           recorded.length
-            ? `Times: ${recordedOn(section.speeds)} A ratio is the median, over the rounds, of a way's time to that of ` +
+            ? `Times: ${recordedOn(section.speeds)} A ratio is the median, over the rounds, of a way’s time to that of ` +
               `the first; the errors are of this build. The library against its peers: ` +
               `<a href="speed.html">Speed against error</a>.`
             : ''
@@ -111,7 +114,8 @@ export function races(section, book, page) {
 
 /** All races of the sections, a line each: the quickest way, and the quickest that is right to two ulps. */
 export function ofSections(book) {
-  const rows = [...book.sections.values()].flatMap((s) =>
+  const inOrder = book.chapters.flatMap((c) => [...book.sections.values()].filter((s) => s.chapter === c.id));
+  const rows = inOrder.flatMap((s) =>
     s.told.races.map((race) => {
       const times = recordedOf(s.speeds, race);
       const ways = race.methods
@@ -119,13 +123,13 @@ export function ofSections(book) {
         .sort((a, b) => a.seconds - b.seconds || a.ulps - b.ulps);
       const cell = (m) =>
         m
-          ? `<td class="word">${escape(m.name)}<span class="below">${short(m.relative, '2')}` +
+          ? `<td class="word">${said(m.name)}<span class="below">${short(m.relative, '2')}` +
             `${Number.isFinite(m.seconds) ? `, ${asTime(m.seconds)}` : ''}</span></td>`
           : '<td class="word">none</td>';
       const chapter = book.chapters.find((c) => c.id === s.chapter).short;
       return (
-        `<tr><th scope="row"><a href="${s.name}.html#speed-against-error">${escape(chapter)} § ` +
-        `${Number(s.number)}</a></th><td class="word">${escape(race.quantity)}</td><td>${ways.length}</td>` +
+        `<tr><th scope="row"><a href="${s.name}.html#speed-against-error">${escape(chapter)} §\u00a0` +
+        `${Number(s.number)}</a></th><td class="word">${said(race.quantity)}</td><td>${ways.length}</td>` +
         `${cell(ways[0])}${cell(ways.find((m) => m.ulps <= 2))}</tr>\n`
       );
     }),
@@ -152,6 +156,7 @@ export function scene(book, name) {
   const alt = `${it.quantity}: worst error against time per evaluation, both logarithmic, for ${it.methods.length} ways.`;
   const unit = it.error_unit === '1' ? '' : ` <span class="unit">${it.error_unit}</span>`;
   const motions = it.methods.some((m) => m.error !== undefined);
+  const [, of] = /, ([ζη] = .*)$/.exec(it.name) ?? []; // the amplitude, where the name alone has it
   const energy = it.methods.some((m) => m.energy !== undefined);
   const heads = [
     ...['way', 'time', 'ratio'],
@@ -167,11 +172,11 @@ export function scene(book, name) {
         ];
   const rows = it.methods.map(
     (m) =>
-      `<tr><th scope="row">${escape(m.name)}</th>` +
+      `<tr><th scope="row">${said(m.name)}</th>` +
       `${[asTime(m.seconds), short(m.ratio, '2'), ...judged(m)].map((c) => `<td>${c}</td>`).join('')}</tr>\n`,
   );
   return (
-    `${plot(book, `${it.part}.race-${idOf(it.name)}`, alt, `${escape(capital(it.quantity))}. ${legend(points)}`)}` +
+    `${plot(book, `${it.part}.race-${idOf(it.name)}`, alt, `${asked(it.quantity)}${of ? `, ${of}` : ''}. ${legend(points)}`)}` +
     `<details class="folded"><summary>the numbers of all ${it.methods.length}</summary>\n` +
     `${table(escape(it.name), heads)}${rows.join('')}${tableEnd}</details>\n`
   );
@@ -185,7 +190,7 @@ export function errors(book, name) {
     book,
     `${group.scenes[0].part}.errors-${group.id}`,
     alt,
-    `${escape(group.scenes[0].quantity)}: the worst errors, in ${escape(group.scenes[0].error_unit)}, scene by scene.`,
+    `${asked(group.scenes[0].quantity)}: the worst errors, in ${escape(group.scenes[0].error_unit)}, scene by scene.`,
     'errors',
   );
 }
@@ -198,11 +203,12 @@ export function scenes(book, name) {
       const m = find(s.methods, first.name, 'method');
       return `<td>${worstShort(m)}<span class="below">${asTime(m.seconds)}</span></td>`;
     });
-    return `<tr><th scope="row">${escape(first.name)}</th>${cells.join('')}</tr>\n`;
+    return `<tr><th scope="row">${said(first.name)}</th>${cells.join('')}</tr>\n`;
   });
+  const unit = group.scenes[0].error_unit;
   const heads = [
-    'worst error, time',
-    ...group.scenes.map((s) => `<span class="scene">${escape(s.short)}</span>`),
+    `worst error${unit === '1' ? '' : ` <span class="unit">${unit}</span>`}, time`,
+    ...group.scenes.map((s) => `<span class="scene">${escape(s.short.replace(/ (?==)|(?<==) | (?=[ak]$)/g, '\u00a0'))}</span>`),
   ];
   return `${table(escape(group.name), heads, ' tight')}${rows.join('')}${tableEnd}`;
 }

@@ -1,5 +1,5 @@
 // The rows of a told table; the weaver's, and the page's own when its numbers change.
-import { escape } from './escape.mjs';
+import { said } from './escape.mjs';
 import { asText, format } from './numbers.mjs';
 
 export const isWord = (x) => typeof x === 'string' && !/^-?(inf|nan)$/.test(x);
@@ -12,7 +12,7 @@ const typed = (x) => {
 };
 
 const cell = (x, c, asTyped) => {
-  if (isWord(x)) return `<td class="word">${escape(x)}</td>`;
+  if (isWord(x)) return `<td class="word">${said(x)}</td>`;
   const digits = Number.isInteger(x) ? '' : String(asTyped && typeof x === 'number' ? typed(x) : c.digits);
   return `<td>${asText(format({ value: x, unit: '' }, digits))}</td>`;
 };

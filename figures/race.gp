@@ -1,11 +1,13 @@
 # Error against time for one evaluation, for any race. Besides `data` and `out`: `source`, the data's name;
 # `quantity`, what the error is; `families`, how many lines of methods it has; `clipped`, the error at which smaller
-# ones are drawn, or 0 where there are none; `left`, `right`, `low`, `high`, the frame, and `edge`, where it ends,
-# as a part of the drawing's width. Blocks of the data: all methods, the front, the names, and the families, parted by empty lines. The
-# names stand at the right edge, each tied to its point.
+# ones are drawn, or 0 where there are none; `left`, `right`, `low`, `high`, the frame, `edge`, where it ends,
+# as a part of the drawing's width, and `every`, the step of its lower scale. Blocks of the data: all methods, the
+# front, the names, and the families, parted by empty lines. The names stand at the right edge, each tied to its
+# point.
 load "figures/style.gp"
 set logscale xy
 set format x "10^{%T} s"
+set xtics every
 set format y "10^{%T}"
 set xlabel "time of one evaluation"
 set ylabel quantity

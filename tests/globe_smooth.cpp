@@ -58,7 +58,7 @@ TEST_CASE("the times are those of the equations of motion, rocking, turning over
   CHECK(by_motion(c0, k0, Fifty(0.5), quarter)[1] == within(0, 1e-28, "hundred steps of 1e-32"));
 }
 
-TEST_CASE("quarter swings and half turns are what other tools found")
+TEST_CASE("quarter periods and half turns are what other tools found")
 {
   CHECK(smooth::quarter(c0, k0, energy(Fifty(0.5)))
         == within_relative(Fifty("1.122684671085358322119754306"), 1e-27, other_tools));

@@ -1,7 +1,7 @@
 // The moving scenes: what a section's program declares as bodies, drawn at any time of the motion that it told. The weaver draws
 // the still with this, the page's script the motion.
 
-import { escape } from '../escape.mjs';
+import { said } from '../escape.mjs';
 
 const width = 640;
 const margin = 12;
@@ -109,7 +109,7 @@ export function still(scene, tsv, name, alt) {
   );
   return (
     `<svg width="${w}" height="${height}" viewBox="${viewBox}" role="img" aria-labelledby="${name}-title">` +
-    `<title id="${name}-title">${escape(alt)}</title>${drawn.join('')}</svg>\n`
+    `<title id="${name}-title">${said(alt)}</title>${drawn.join('')}</svg>\n`
   );
 }
 

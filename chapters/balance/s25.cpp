@@ -54,7 +54,7 @@ $$ \begin{aligned}
 and $d\vartheta:dt$ likewise with $\mathfrak B$, β and the opposite signs of the last two terms.
 
 What do two side tones do to a swing? Together they are a swing of the pan's own frequency that waxes and
-wanes, and one a quarter of a swing away from it:
+wanes, and one a quarter of a period away from it:
 
 $$ \begin{aligned} \eta &= \mathfrak A(1+K\cos\lambda t)\sin(\alpha+\mu t)\\
    &\quad - \mathfrak A\,H\sin\lambda t\cos(\alpha+\mu t),\\

@@ -67,7 +67,7 @@ inverts the integral.
 ## The program
 
 The rule for {{eq A}} is the mean of the root at equal steps of υ, times the pendulum's own quarter. A ball
-that turns over has half a turn in place of a quarter of the swing.
+that turns over has half a turn in place of a quarter of the period.
 */
 
 swing::Motion pendulum(const Energy<double>& e)
@@ -236,7 +236,7 @@ each is infinite. There and at the point marked, $h_0$, it is elliptic.
 
 ## Speed against error
 
-All ways are asked for the quarter swing, or the half turn, and each rule is one with so many values. Ask
+All ways are asked for the quarter period, or the half turn, and each rule is one with so many values. Ask
 for `--from_top 1e-15`, or for `--c 6`.
 */
 

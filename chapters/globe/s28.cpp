@@ -375,7 +375,7 @@ no time at all. `--c 1 --k 1e-9` comes near it.
 :::
 */
 
-CHECK_THAT("with c = a the quarter of a swing tends to 2a artanh √h as k vanishes, for every energy")
+CHECK_THAT("with c = a the quarter of a period tends to 2a artanh √h as k vanishes, for every energy")
 {
   for(const Fifty& h : {Fifty(1e-6), Fifty(1) / 2, Fifty(1) - 1e-6})
     CHECK(rolling::quarter(Ball<Fifty>{3, 3, 1e-15}, energy(h))

@@ -270,7 +270,7 @@ Fifty Motion::velocity(const Fifty& t) const
   return p.odd ? -speed : speed;
 }
 
-// With the means a and half differences c of the arithmetic–geometric mean of 1 and kc: 2ᴺ a u is the
+// With the means a and half differences c of the arithmetic-geometric mean of 1 and kc: 2ᴺ a u is the
 // amplitude in the limit, and each step back is φ ← ½(φ + arcsin(c/a sin φ)).
 Fifty Motion::angle_by_landen(const Fifty& t) const
 {

@@ -14,7 +14,7 @@ namespace swing::oracle
 
 using exact::Fifty;
 
-/// The arithmetic–geometric mean of a, b ≥ 0.
+/// The arithmetic-geometric mean of a, b ≥ 0.
 Fifty agm(Fifty a, Fifty b);
 
 /// K from kc, 0 ≤ kc ≤ 1: π/2M(1, kc).

@@ -16,7 +16,7 @@
 ///     time_from_bottom(Φ, a)     from Φ = 0 up to Φ
 ///     time_from_rest(ψ, η)       from rest at η from the top down to ψ from the top
 ///     time_from_rest_past(δ, η)  the same down to ψ = η + δ, δ however small
-///     agm(a, b)                  the arithmetic–geometric mean
+///     agm(a, b)                  the arithmetic-geometric mean
 ///
 /// Near the top the modulus k is no fit parameter (below η = 2·10⁻⁸ the double nearest to cos ½η is 1), nor
 /// is ζ; there one gives η or kc. The functions of arrays never throw for what is in the arrays.
@@ -125,7 +125,7 @@ void ratio_from_bottom(std::span<const double> zeta, std::span<double> out);
 /// T/Θ of an array of η = π − ζ, the same.
 void ratio_from_top(std::span<const double> eta, std::span<double> out);
 
-/// The arithmetic–geometric mean of a and b, both ≥ 0: K = π/2M(1, kc). Stops when both means agree to half
+/// The arithmetic-geometric mean of a and b, both ≥ 0: K = π/2M(1, kc). Stops when both means agree to half
 /// the digits, after which one more arithmetic mean has them all. Zero when either is zero; NaN for a
 /// negative one. K by this mean errs by up to 5 ulp.
 double agm(double a, double b);

@@ -112,7 +112,7 @@ inline Twofold sin(Twofold x)
   return sum;
 }
 
-/// The arithmetic–geometric mean of 1 and b > 0.
+/// The arithmetic-geometric mean of 1 and b > 0.
 inline Twofold agm_of_one_and(Twofold b)
 {
   Twofold a{1, 0};

@@ -166,7 +166,8 @@ await Promise.all(
     while (left.length) await tryFigures(left.shift());
   }),
 );
-// The plots of error against time stand as the book has them: no name of a method leaves the drawing, no note lies on an axis.
+// The plots of error against time stand as the book has them: no name of a method leaves the drawing, no note lies on an axis,
+// no two words on each other.
 let races = 0;
 if (!only.length)
   for (const name of fs.readdirSync(path.join(build, 'drawn')).filter((f) => /\.race-.*\.svg$/.test(f))) {
@@ -181,6 +182,12 @@ if (!only.length)
       if (box[1] < axis - 6 && box[3] > axis - 2 && text.startsWith('what'))
         fault(`${name}: "${text}" lies on the axis`);
     }
+    texts.forEach(({ text, box }, i) => {
+      for (const other of texts.slice(i + 1)) {
+        const [across, down] = [0, 1].map((k) => Math.min(box[k + 2], other.box[k + 2]) - Math.max(box[k], other.box[k]));
+        if (across > 4 && down > 3) fault(`${name}: "${text}" and "${other.text}" lie on each other`);
+      }
+    });
   }
 console.log(`${figures} figures, ${races} plots of speed, ${drawings} drawings with other numbers; ${faults} faults`);
 process.exitCode = faults || !drawings ? 1 : 0;

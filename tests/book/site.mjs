@@ -109,11 +109,22 @@ function judged() {
   if (innerWidth > 1200)
     for (const formula of document.querySelectorAll('main .formula'))
       if (formula.scrollWidth > formula.clientWidth + 1) say('a formula wider than its column', formula);
+  for (const formula of document.querySelectorAll('main .katex-display')) {
+    let [above, below, left] = [-Infinity, -Infinity, Infinity]; // the ends of two lines of a broken formula
+    for (const part of formula.querySelectorAll('.katex-base')) {
+      const box = part.getBoundingClientRect();
+      if (box.left < left) [above, below] = [below, -Infinity];
+      if (box.top < above + 4) say('lines of a broken formula that touch', formula);
+      [below, left] = [Math.max(below, box.bottom), box.left];
+    }
+  }
   const text = document.createElement('div');
   text.innerHTML = document.body.innerHTML;
   text.querySelectorAll('pre, code, .katex-mathml, script, style').forEach((e) => e.remove());
   const raw = /\\[a-zA-Z]+|\$\$|\{\{|\}\}|:::|@(?:param|return|file)\b/.exec(text.textContent);
   if (raw) wrong.push(`raw TeX or a raw command: ${text.textContent.slice(raw.index - 20, raw.index + 30)}`);
+  const stroke = document.body.classList.contains('library') ? null : /\p{L}['"]|"\p{L}/u.exec(text.textContent);
+  if (stroke) wrong.push(`a straight apostrophe or quotation mark: ${text.textContent.slice(stroke.index - 20, stroke.index + 30)}`);
   if (document.querySelector('.katex-error')) wrong.push('a formula that did not parse');
   return {
     wrong,

@@ -210,8 +210,8 @@ Scene rolling_quarter(bool near_top)
 {
   const auto e = energies(near_top);
   Scene s{near_top ? "rolling near the top" : "rolling",
-          near_top ? "τ of a quarter swing, 1 − h from 1e-15 to 1e-3"
-                   : "τ of a quarter swing, h uniform in (0, 0.99)",
+          near_top ? "τ of a quarter period, 1 − h from 1e-15 to 1e-3"
+                   : "τ of a quarter period, h uniform in (0, 0.99)",
           "ulp",
           many,
           {},
@@ -293,8 +293,8 @@ Scene smooth_quarter(bool near_top)
   constexpr std::size_t few = 2000;
   const auto e = energies(near_top);
   Scene s{near_top ? "smooth plane near the top" : "smooth plane",
-          near_top ? "τ of a quarter swing, 1 − h from 1e-15 to 1e-3"
-                   : "τ of a quarter swing, h uniform in (0, 0.99)",
+          near_top ? "τ of a quarter period, 1 − h from 1e-15 to 1e-3"
+                   : "τ of a quarter period, h uniform in (0, 0.99)",
           "ulp",
           few,
           {},

@@ -20,7 +20,7 @@ namespace
 using exact::Fifty;
 namespace oracle = swing::oracle;
 
-// The quarter swing as an integral, over Φ as it stands and over the angle that makes it smooth.
+// The quarter period as an integral, over Φ as it stands and over the angle that makes it smooth.
 struct Integrand
 {
   double zeta;
@@ -87,7 +87,7 @@ private:
 Scene quadrature(const std::string& name, swing::Amplitude a)
 {
   Scene s{"quadrature, " + name,
-          "the quarter swing as an integral",
+          "the quarter period as an integral",
           "ulp",
           "Boost tanh_sinh, product form",
           {a.zeta},
@@ -142,7 +142,7 @@ Scene quadrature(const std::string& name, swing::Amplitude a)
     add("trapezium rule, " + std::to_string(panels) + " panels", "classic",
         [f, panels] { return trapezium(f, panels); });
   add("trapezium rule after sinh", "classic", [f] { return trapezium_of_sinh(f); });
-  add("arithmetic–geometric mean", "classic",
+  add("arithmetic-geometric mean", "classic",
       [f, quarter_turn] { return quarter_turn / swing::agm(1, f.kc); });
   add("this edition", "ours", [f] { return swing::K_from_complement(f.kc); });
   return s;

@@ -146,7 +146,7 @@ Scene K_by_modulus(const std::string& name, const std::string& quantity, std::ve
   s.exact = exactly(s.in, [](double k) { return oracle::K(k); });
   s.methods.push_back(each("this edition", "ours", [](double k) { return swing::K(k); }));
   add_peers<By_modulus>(s, 1);
-  s.methods.push_back(each("arithmetic–geometric mean", "classic", [](double k) {
+  s.methods.push_back(each("arithmetic-geometric mean", "classic", [](double k) {
     return std::numbers::pi / 2 / swing::agm(1, std::sqrt((1 - k) * (1 + k)));
   }));
   s.methods.push_back(each("Boost ellint_rf", "peer", [](double k) {
@@ -165,7 +165,7 @@ Scene K_by_complement(const std::string& name, const std::string& quantity, std:
   s.exact = exactly(s.in, [](double kc) { return oracle::K_from_complement(kc); });
   s.methods.push_back(each("this edition", "ours", [](double kc) { return swing::K_from_complement(kc); }));
   add_peers<By_complement>(s, 1);
-  s.methods.push_back(each("arithmetic–geometric mean", "classic",
+  s.methods.push_back(each("arithmetic-geometric mean", "classic",
                            [](double kc) { return std::numbers::pi / 2 / swing::agm(1, kc); }));
   s.methods.push_back(each("Boost ellint_rf", "peer", [](double kc) {
     return boost::math::ellint_rf(0.0, kc * kc, 1.0, Promoting());
@@ -183,7 +183,7 @@ Scene period()
   s.methods.push_back(
       each("this edition", "ours", [](double zeta) { return swing::ratio_from_bottom(zeta); }));
   add_peers<By_amplitude>(s, 2 / std::numbers::pi);
-  s.methods.push_back(each("arithmetic–geometric mean", "classic",
+  s.methods.push_back(each("arithmetic-geometric mean", "classic",
                            [](double zeta) { return 1 / swing::agm(1, std::cos(zeta / 2)); }));
   s.methods.push_back(each("Euler's sagitta rule", "Euler", [](double zeta) {
     const double c = std::sin(zeta / 2);

@@ -63,7 +63,7 @@ std::vector<exact::Fifty> exactly(const std::vector<double>& in, Function f)
 void add_values(std::vector<Scene>& scenes);
 /// The scenes of the motion.
 void add_motions(std::vector<Scene>& scenes);
-/// The scenes of the quarter swing as an integral, and of the equation of motion integrated.
+/// The scenes of the quarter period as an integral, and of the equation of motion integrated.
 void add_integrations(std::vector<Scene>& scenes);
 
 }  // namespace bench
