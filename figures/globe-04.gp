@@ -14,7 +14,7 @@ set xlabel "radius of gyration {/:Italic k}/{/:Italic a}"
 set ylabel "greatest μ"
 set arrow from 0.01, 1. / 3 to 1, 1. / 3 nohead linetype 2
 do for [i = 1:3] {
-  set label sprintf("{/:Italic c} = %.1f {/:Italic a}", C[i]) at K[i], M[i] left offset 1.2, (i == 2 ? -0.8 : 0.2) textcolor linetype 1
+  set label sprintf("{/:Italic c} = %.1f {/:Italic a}", C[i]) at K[i], M[i] left offset 1.2, (i == 2 ? 0.8 : 0.2) textcolor linetype 1
 }
 plot for [i = 0:2] file index i using "k":"enough" with lines linetype 6, \
      for [i = 0:2] file index i using "k":"limit" with lines linetype 1

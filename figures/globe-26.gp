@@ -17,5 +17,5 @@ set format x "%g"
 set xlabel "Φ (degrees)"
 set yrange [*:*]
 plot 0 with lines linetype 6, for [i = 0:2] file using "Phi_deg":"lambda" index i with lines linetype (i == 0 ? 1 : i + 2), \
-     for [i = 0:2] file using "Phi_deg":"lambda":(sprintf("{/:Italic h} = %.4g", column("h"))) index i every ::(120 + 30 * (i == 1) - 30 * (i == 2))::(120 + 30 * (i == 1) - 30 * (i == 2)) with labels offset 0, 0.9 textcolor linetype (i == 0 ? 1 : i + 2)
+     for [i = 0:2] file using "Phi_deg":"lambda":(sprintf("{/:Italic h} = %.4g", column("h"))) index i every ::(120 - 45 * (i == 1) - 30 * (i == 2))::(120 - 45 * (i == 1) - 30 * (i == 2)) with labels offset 0, (i == 1 ? -0.9 : 0.9) textcolor linetype (i == 0 ? 1 : i + 2)
 unset multiplot
