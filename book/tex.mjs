@@ -200,8 +200,9 @@ export function parted(tex) {
   }
   if (!parts.length) return tex;
   parts.push(tex.slice(from));
+  const length = (part) => readable(part.replace(/\\(?:href|html[A-Z][a-z]+)\{[^}]*\}/g, '')).length;
   return parts
-    .map((part, i) => (i % 2 ? `${part}\\allowbreak ` : part.trim() && readable(part).length <= 32 ? `{${part.trim()}}` : part))
+    .map((part, i) => (i % 2 ? `${part}\\allowbreak ` : part.trim() && length(part) <= 32 ? `{${part.trim()}}` : part))
     .join('');
 }
 

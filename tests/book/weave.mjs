@@ -614,6 +614,8 @@ test('readings become formulae where they are ones, and readable again where the
   assert.equal(parted('x = 1, \\qquad y = 2'), '{x = 1,}\\qquad\\allowbreak {y = 2}');
   const long = 'x = a + b + c + d + e + f + g + h + i + k'; // may break within
   assert.equal(parted(`${long}, \\quad y = 2`), `${long}, \\quad\\allowbreak {y = 2}`);
+  const signed = '\\htmlClass{siglum-of-an-entry}{\\href{#an-entry-with-a-long-name}{1}},'; // as long as what is seen of it
+  assert.equal(parted(`x, \\quad y = ${signed}`), `{x,}\\quad\\allowbreak {y = ${signed}}`);
   for (const whole of ['x = 1', '\\begin{aligned} x&\\quad\\text{so} \\end{aligned}', '\\text{\\quad}'])
     assert.equal(parted(whole), whole);
   assert.equal(texOf('dz/(1 − zz)'), 'dz/(1-zz)');
