@@ -275,9 +275,10 @@ TELL
   curve("reached", {"r", "Q"}, [](Curve& out) {
     const Transfer over = transfer(weak);
     const double critical = trapping(over.splitting, 4, 0).critical;
+    const double until = 1.6 * over.time;  // at 0.95 n_c, the slowest, Q is farthest after 1.46 T
     for(const double r : {0.5, 0.7, 0.85, 0.95, 1.05, 1.1, 1.2, 1.4, 1.6, 1.9})
     {
-      const Farthest now = farthest(pans(weak, {{0, 0, r * critical, 0}, {}}), 3 * over.time, causes::look);
+      const Farthest now = farthest(pans(weak, {{0, 0, r * critical, 0}, {}}), until, causes::look);
       out.put({r, now.Q / (r * critical)});
     }
   });
