@@ -536,6 +536,6 @@ const moved = [...slides].filter(([, slide]) => slide.value !== atRest(slide));
 if (fromAddress() || early.length) run();
 else if (moved.length) for (const [, slide] of moved) slide.dispatchEvent(new Event('input'));
 else
-  book().then(() => state('ready'));
+  book().then(() => running || state('ready'));
 self.liveListens = true;
 self.liveWanted?.click();
