@@ -10,13 +10,21 @@ namespace race
 namespace
 {
 
-// By the time that the processor spent on this program, so that what others did meanwhile is not counted.
+// The time that the processor spent on this program, so that what others did meanwhile is not counted: in nanoseconds,
+// for std::clock() counts whole microseconds, and a short turn could last none.
+double processor_seconds()
+{
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 double seconds_of(const Entrant& entrant, std::size_t repetitions)
 {
-  const std::clock_t start = std::clock();
+  const double start = processor_seconds();
   for(std::size_t i = 0; i < repetitions; ++i)
     entrant.run();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return processor_seconds() - start;
 }
 
 // Doubles the repetitions until they last for a turn; this warms the caches too.
