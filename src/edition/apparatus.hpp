@@ -5,7 +5,6 @@
 #include <functional>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace edition
 {
@@ -17,7 +16,7 @@ struct Reading
   /// @{
   template <class Yield>
   requires std::is_arithmetic_v<Yield> Reading(const char* words, Yield value)
-      : text(words), yields([value] { return static_cast<double>(value); })
+      : text(words), yields(constant(static_cast<double>(value)))
   {
   }
   template <class Yield>
@@ -29,6 +28,9 @@ struct Reading
 
   std::string text;                ///< The words.
   std::function<double()> yields;  ///< The number.
+
+private:
+  static std::function<double()> constant(double value);
 };
 
 /// Whose slip it is.
@@ -64,20 +66,18 @@ struct Entry
   Shown shown;                        ///< Whether the account refers to it.
 };
 
-/// Puts an entry into the section's apparatus.
-void enter(Entry entry);
-
-/// An Entry of one kind, declared as an object of the section's file.
+/// An Entry of one kind, declared as an object of the section's file, in whose apparatus it is then.
 template <Kind kind_of_entry>
 struct EntryOf
 {
-  /// Enters it.
+  /// See Entry.
   EntryOf(const char* where, Reading copy, Reading right, const char* because,
-          std::function<bool(double)> holds, Shown shown = Shown::at_its_place)
-  {
-    enter({kind_of_entry, where, std::move(copy), std::move(right), because, std::move(holds), shown});
-  }
+          std::function<bool(double)> holds, Shown shown = Shown::at_its_place);
 };
+extern template struct EntryOf<Kind::erratum>;
+extern template struct EntryOf<Kind::emendation>;
+extern template struct EntryOf<Kind::doubtful>;
+extern template struct EntryOf<Kind::undecided>;
 /// The four kinds, as a section declares them.
 /// @{
 using Erratum = EntryOf<Kind::erratum>;

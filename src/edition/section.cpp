@@ -70,10 +70,22 @@ Telling::Telling(void (*body)())
   section().telling.push_back({body});
 }
 
-void enter(Entry entry)
+std::function<double()> Reading::constant(double value)
 {
-  section().apparatus.push_back(std::move(entry));
+  return [value] { return value; };
 }
+
+template <Kind kind_of_entry>
+EntryOf<kind_of_entry>::EntryOf(const char* where, Reading copy, Reading right, const char* because,
+                                std::function<bool(double)> holds, Shown shown)
+{
+  section().apparatus.push_back(
+      {kind_of_entry, where, std::move(copy), std::move(right), because, std::move(holds), shown});
+}
+template struct EntryOf<Kind::erratum>;
+template struct EntryOf<Kind::emendation>;
+template struct EntryOf<Kind::doubtful>;
+template struct EntryOf<Kind::undecided>;
 
 const char* name_of(Kind kind)
 {

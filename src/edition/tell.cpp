@@ -143,6 +143,11 @@ void tell(const char* name, const std::string& value, const char* meaning)
   told({name, value, Fifty(), "", none, meaning, 0});
 }
 
+void tell(const char* name, const char* value, const char* meaning)
+{
+  tell(name, std::string(value), meaning);
+}
+
 void tell(const char* name, const Fifty& value, const char* meaning, int digits)
 {
   told({name, static_cast<double>(value), value, value.str(digits), none, meaning, digits});
@@ -156,6 +161,11 @@ void tell(const char* name, const Rational& value, const char* meaning)
 Table::Table(std::string its_name, std::string its_caption, std::vector<Column> its_columns)
     : name(std::move(its_name)), caption(std::move(its_caption)), columns(std::move(its_columns))
 {
+}
+
+void Table::row(std::initializer_list<Cell> cells)
+{
+  row(std::vector<Cell>(cells));
 }
 
 void Table::row(std::vector<Cell> cells)
@@ -187,6 +197,13 @@ Cell in_unit(const Cell& cell, const Column& column)
   return cell;
 }
 
+Curve::Curve(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+
+void Curve::put(std::initializer_list<double> numbers)
+{
+  put(std::vector<double>(numbers));
+}
+
 void Curve::put(const std::vector<double>& numbers)
 {
   if(numbers.size() != columns_.size())
@@ -195,6 +212,11 @@ void Curve::put(const std::vector<double>& numbers)
     text_ += (i == 0 ? "" : "\t") + show(numbers[i], 17);
   text_ += '\n';
   points_.push_back(numbers);
+}
+
+void Curve::gap()
+{
+  text_ += '\n';
 }
 
 void Curve::block()

@@ -29,10 +29,7 @@ inline void tell(const char* name, double value, const char* meaning, int digits
 void tell(const char* name, int value, const char* meaning);
 void tell(const char* name, long long value, const char* meaning);
 void tell(const char* name, const std::string& value, const char* meaning);
-inline void tell(const char* name, const char* value, const char* meaning)
-{
-  tell(name, std::string(value), meaning);
-}
+void tell(const char* name, const char* value, const char* meaning);
 void tell(const char* name, const Fifty& value, const char* meaning, int digits = 30);
 void tell(const char* name, const Rational& value, const char* meaning);
 /// @}
@@ -58,7 +55,7 @@ public:
   /// Adds a row, one cell a column (in the program's unit); another number of cells, or a line break or a tab
   /// in one, throws std::logic_error.
   /// @{
-  void row(std::initializer_list<Cell> cells) { row(std::vector<Cell>(cells)); }
+  void row(std::initializer_list<Cell> cells);
   void row(std::vector<Cell> cells);
   /// @}
 
@@ -76,15 +73,15 @@ class Curve
 {
 public:
   /// Without any points yet; one name a column.
-  explicit Curve(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+  explicit Curve(std::vector<std::string> columns);
   /// Adds a point, one number a column, written with 17 digits; another number of them throws
   /// std::logic_error.
   /// @{
-  void put(std::initializer_list<double> numbers) { put(std::vector<double>(numbers)); }
+  void put(std::initializer_list<double> numbers);
   void put(const std::vector<double>& numbers);
   /// @}
   /// Breaks the line here: what follows is drawn as a line of its own.
-  void gap() { text_ += '\n'; }
+  void gap();
   /// Begins a new block (gnuplot's `index`), for several lines in one file; it has its own header, as
   /// gnuplot expects.
   void block();

@@ -90,10 +90,10 @@ bool ToldNumber::is(const Rational& q) const
   return text_ == q.str();
 }
 
-bool ToldNumber::is(const std::string& words) const
+bool ToldNumber::is(std::string_view words) const
 {
   look_at(key_);
-  remember({text_, words, "exactly", "", -1});
+  remember({text_, std::string(words), "exactly", "", -1});
   return text_ == words;
 }
 
@@ -219,6 +219,11 @@ Settings::Settings(std::span<const std::string_view> settings) : settings_(setti
 {
 }
 
+Settings::Iterator Settings::end()
+{
+  return {this, settings_.size()};
+}
+
 Settings::~Settings()
 {
   section().parameters = ledger().own;
@@ -240,7 +245,7 @@ const Told& Settings::tell_at(std::size_t i)
     ledger().said[setting] = std::move(s.said);
     s.said = Said{};
   }
-  told_ = std::make_unique<Told>(setting, ledger().said[setting]);
+  told_.emplace(setting, ledger().said[setting]);
   return *told_;
 }
 

@@ -6,7 +6,7 @@
 
 #include <concepts>
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,8 +41,8 @@ public:
   friend bool operator==(const ToldNumber& told, const Rational& q) { return told.is(q); }
   /// The claim that it is this text.
   /// @{
-  friend bool operator==(const ToldNumber& told, const std::string& words) { return told.is(words); }
-  friend bool operator==(const ToldNumber& told, const char* words) { return told.is(std::string(words)); }
+  friend bool operator==(const ToldNumber& told, const std::string& words) { return told.is(std::string_view(words)); }
+  friend bool operator==(const ToldNumber& told, const char* words) { return told.is(std::string_view(words)); }
   /// @}
 
   /// As it was told.
@@ -51,7 +51,7 @@ public:
 private:
   bool is(const Expectation& e) const;
   bool is(const Rational& q) const;
-  bool is(const std::string& words) const;
+  bool is(std::string_view words) const;
 
   std::string key_;
   Fifty exact_;
@@ -151,14 +151,14 @@ public:
   /// From the first setting to past the last.
   /// @{
   Iterator begin() { return {this, 0}; }
-  Iterator end() { return {this, settings_.size()}; }
+  Iterator end();
   /// @}
 
 private:
   const Told& tell_at(std::size_t i);
 
   std::vector<std::string> settings_;
-  std::unique_ptr<Told> told_;
+  std::optional<Told> told_;
 };
 
 /// What the section says at each of some settings: `""` is the reader's own (the defaults, unless `--check` came
