@@ -40,10 +40,7 @@ public:
   /// The claim that it is exactly this fraction.
   friend bool operator==(const ToldNumber& told, const Rational& q) { return told.is(q); }
   /// The claim that it is this text.
-  /// @{
-  friend bool operator==(const ToldNumber& told, const std::string& words) { return told.is(std::string_view(words)); }
-  friend bool operator==(const ToldNumber& told, const char* words) { return told.is(std::string_view(words)); }
-  /// @}
+  friend bool operator==(const ToldNumber& told, std::string_view words) { return told.is(words); }
 
   /// As it was told.
   const std::string& text() const { return text_; }
