@@ -426,8 +426,8 @@ CHECK_THAT("the figure has what is left out, between its bounds")
 How many terms must be kept for the semicircle if what is left out of the bracket is to be less than
 $10^{-10}$? Find it from {{eq A}} first.
 
-answer: 28. The geometric bound {{eq A}} halves with each term, and finds it too. The program tells that
-$1.68\cdot10^{-10}$ for 27 terms and $0.81\cdot10^{-10}$ for 28.
+answer: It takes 28. The geometric bound {{eq A}} halves with each term, and finds as many. What is left
+out is $1.68\cdot10^{-10}$ with 27 terms and $0.81\cdot10^{-10}$ with 28, as the program tells.
 :::
 */
 

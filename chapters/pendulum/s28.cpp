@@ -322,8 +322,8 @@ CHECK_THAT("the ways of the race leave out what their bounds allow, and the figu
 ::: exercise
 How many columns does the semicircle take, 90° from the top, if less than $10^{-10}$ is to be left out?
 
-answer: 31. There $x = \frac12$, and every column beyond the first few halves what is missing: 30 leave
-$1.9\cdot10^{-10}$, 31 leave $0.96\cdot10^{-10}$.
+answer: It takes 31. There $x = \frac12$, and every column beyond the first few halves what is missing:
+30 leave $1.9\cdot10^{-10}$, 31 leave $0.96\cdot10^{-10}$.
 :::
 */
 

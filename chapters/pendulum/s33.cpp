@@ -150,8 +150,8 @@ CHECK_THAT("the scene shows the motion itself, in its true time")
 }
 
 const Erratum the_swing{"§33, T for 350°, and that of the seconds pendulum",
-                        {"4,52023 Θ, 4½ s", 4.52023},
-                        {"2,87766 Θ, 2,9 s", 2.87766},
+                        {"4,52023 Θ, 4½ seconds", 4.52023},
+                        {"2,87766 Θ, 2,9 seconds", 2.87766},
                         "the forgotten factor 2/π: the motion says so, and his own series of §9",
                         [](double reading) {
                           return after_half_of(reading, 5_deg)

@@ -174,7 +174,7 @@ CHECK_THAT("the truths told are the logarithms and the sum, and the terms told a
   }
 }
 
-CHECK_THAT("the staircase has, at each of its points, the fewest terms that serve, and so have the dots")
+CHECK_THAT("the staircase has at each point the fewest terms that serve, and so has either example")
 {
   for(const Told& now : told_at(""))
     for(const char* const drawn : {"terms", "examples"})
