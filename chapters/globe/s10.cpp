@@ -19,7 +19,7 @@ smooth, $\lambda = 0$. The first of the three equations ({{sec globe.06}}) then 
 $dx/dt$ is constant. If $G$ had the horizontal velocity $f$ at the beginning, it keeps it, and since $x$ and
 $\Phi$ vanish together, $CGA$ being upright at first,
 
-$$ \frac{dx}{dt} = f, \quad x = ft \tag{1}, $$
+$$ \frac{dx}{dt} = f, \quad x = ft, \tag{1} $$
 
 $$ s = ft + c\sin\Phi. \tag{2} $$
 
