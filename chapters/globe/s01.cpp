@@ -18,10 +18,10 @@ coordinates and a constraint on the velocities.
 :::
 
 Whether a ball keeps to such a motion when it is started so is another question, and Euler does not put it.
-Let $x$ be measured along the way, $y$ upwards and $z$ along the axis, all from the centre of gravity $G$. When
-the ball turns about that axis with the angular velocity $w$, every particle pulls outwards with $ww$ times
-its mass and distance from the axis. The moments of these pulls, about the line of the way and about the
-vertical through $G$, are
+Let $x$ be measured along the way, $y$ upwards and $z$ along the axis, all from the centre of gravity $G$.
+When the ball turns about that axis with the angular velocity $w$, every particle pulls outwards with $ww$
+times its mass and distance from the axis. The moments of these pulls, about the line of the way and about
+the vertical through $G$, are
 
 $$ -ww\sum m\,yz, \qquad ww\sum m\,xz, \tag{A} $$
 

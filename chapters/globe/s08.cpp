@@ -24,12 +24,14 @@ $$ \begin{aligned} &\text{I.}\quad \frac{ddx}{2g\,dt^2} = -\lambda - \frac{\lamb
 If for $x$ and $y$ their values of {{sec globe.03}} are put, these take the forms
 
 $$ \begin{aligned} \text{I.}\quad &dds - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi\\
-   &\;+ \lambda c\,dd\Phi\sin\Phi + \lambda c\,d\Phi^2\cos\Phi\\ &\;= -2g\lambda\,dt^2, \end{aligned} \tag{3} $$
+   &\;+ \lambda c\,dd\Phi\sin\Phi + \lambda c\,d\Phi^2\cos\Phi\\
+   &\;= -2g\lambda\,dt^2, \end{aligned} \tag{3} $$
 
 $$ \begin{aligned} \text{II.}\quad
    &dd\Phi\,(kk - \lambda ac\sin\Phi\\ &\quad + \lambda cc\sin\Phi\cos\Phi + cc\sin^2\Phi)\\
    &\;+ d\Phi^2(\lambda cc\cos^2\Phi\\ &\quad + cc\sin\Phi\cos\Phi - \lambda ac\cos\Phi)\\
-   &\;= 2g{{entry second_row}}\,dt^2\\ &\quad\cdot(\lambda a - \lambda c\cos\Phi - c\sin\Phi), \end{aligned} \tag{4} $$
+   &\;= 2g{{entry second_row}}\,dt^2\\
+   &\quad\cdot(\lambda a - \lambda c\cos\Phi - c\sin\Phi), \end{aligned} \tag{4} $$
 
 which he writes with $2g\,dt^2$ under the left sides. Besides the time only two variables are in them. But
 nothing further at all can be inferred, unless one knows beforehand, from the circumstances of the motion,

@@ -70,7 +70,8 @@ The place is given by ω, the quantity that is small near the top, or by Φ.
 const auto c = real("c", 0.1, feet, scale, "CG, from the ball's centre to its centre of gravity");
 const auto k = real("k", 0.6, feet, scale, "radius of gyration: the moment of inertia about G is Pkk");
 const auto g = real("g", 15.625, feet, scale, "height fallen from rest in the first second");
-const auto omega = angle("omega", 30_deg, from_below(1e-300_deg, 90_deg), "half of what Φ is short of 180°");
+const auto omega =
+    angle("omega", 30_deg, from_below(1e-300_deg, 90_deg), "half of what Φ is short of 180°");
 const auto Phi = angle("Phi", 0, closed(0, 180_deg), "the angle turned instead of ω, where not 0");
 
 Fifty place()  // ω
