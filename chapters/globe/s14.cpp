@@ -45,7 +45,7 @@ $\varphi = nt$; then {{eq 4}} is followed by
 $$ \begin{aligned} \Phi &= A\sin\varphi \\
    &\quad - A^3\Bigl(\frac1{16} + \frac{cc}{4kk}\Bigr)\varphi\cos\varphi \\
    &\quad + A^3\Bigl(\frac1{24} \\
-   &\qquad + \Bigl(\frac1{48} + \frac{cc}{4kk}\Bigr)\cos^2\varphi\Bigr)\sin\varphi.
+   &\quad\; + \Bigl(\frac1{48} + \frac{cc}{4kk}\Bigr)\cos^2\varphi\Bigr)\sin\varphi.
    \end{aligned} \tag{A} $$
 
 The second term grows with the time. It is no growing of the motion: it says that the true sine goes a

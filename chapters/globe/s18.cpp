@@ -57,7 +57,7 @@ $k + cc\sin^2\Phi/2k$. There is no need to. With $v = \sin\tfrac12\Phi$ the inte
 be split without any neglect:
 
 $$ \begin{aligned} &t\sqrt{2gc} = k\,l\cot\tfrac12\omega \\
-   &+ \int_0^{\cos\omega}\!\!\frac{4cc\,vv\;dv}{k+\sqrt{kk+4cc\,vv(1-vv)}}. \end{aligned} \tag{A} $$
+   &+ \int_0^{\cos\omega}\!\!\frac{4ccvv\,dv}{k+\sqrt{kk+4ccvv(1-vv)}}. \end{aligned} \tag{A} $$
 
 The first term is Euler's logarithm, unaltered; the integral stays finite up to the top. So his conclusion
 does not hang on a small $c$: the time to the top is infinite for every ball. And where the root is replaced
