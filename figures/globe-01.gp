@@ -18,4 +18,4 @@ plot cos(t), sin(t) with lines linetype 6, 2.5 + cos(t), sin(t) with lines linet
      "" using (column("x") - column("side")):(-column("shift") - column("d")) with points linetype 7 pointsize 1.2, \
      "" using "x":(0) with points linetype 7 pointsize 0.3, \
      "" using "x":(-column("G")) with points linetype 1, \
-     "" using (column("x") + 0.06):(-column("G") - 0.13):("{/:Italic G}") with labels left textcolor linetype 1
+     "" using (column("x") - 0.06):(-column("G") - 0.13):("{/:Italic G}") with labels right textcolor linetype 1

@@ -18,12 +18,12 @@ coordinates and a constraint on the velocities.
 :::
 
 Whether a ball keeps to such a motion when it is started so is another question, and Euler does not put it.
-Let $y$ be measured upwards and $z$ along the axis, both from the centre of gravity $G$. When the ball
-turns about that axis with the angular velocity $w$, every particle pulls outwards with $ww$ times its mass
-and distance from the axis. About $G$ these pulls have the moment
+Let $x$ be measured along the way, $y$ upwards and $z$ along the axis, all from the centre of gravity $G$.
+When the ball turns about that axis with the angular velocity $w$, every particle pulls outwards with $ww$
+times its mass and distance from the axis. The moments of these pulls, about the line of the way and about
+the vertical through $G$, are
 
-$$ \begin{aligned} -ww&\sum m\,yz \quad\text{about the line of the way,}\\
-   ww&\sum m\,xz \quad\text{about the vertical,} \end{aligned} \tag{A} $$
+$$ -ww\sum m\,yz, \qquad ww\sum m\,xz, \tag{A} $$
 
 and the forces at the point of contact could have such a moment only if one of them acted sideways, which
 would push $G$ out of its way. So both sums must vanish: the axis through $G$ must be a *principal axis*. A

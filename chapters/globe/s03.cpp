@@ -18,7 +18,7 @@ $$ dx = ds - c\,d\Phi\cos\Phi, \qquad dy = c\,d\Phi\sin\Phi, \tag{2} $$
 
 and twice,
 
-$$ \begin{aligned} ddx &= dds - c\,dd\Phi\cos\Phi + c\,d\Phi^2{{entry square_x}}\sin\Phi,\\
+$$ \begin{aligned} ddx &= dds - c\,dd\Phi\cos\Phi\\ &\quad + c\,d\Phi^2{{entry square_x}}\sin\Phi,\\
    ddy &= c\,dd\Phi\sin\Phi + c\,d\Phi^2{{entry square_y}}\cos\Phi; \end{aligned} \tag{3} $$
 
 these will be needed to find the motion.

@@ -15,9 +15,9 @@ gravity $G$ downwards along $GP$ with the force $P$. Since the ball lies on the 
 there, and the plane presses back just as much, along $SC$; this force, still unknown, is called Π. And if
 friction is admitted, it is always proportional to this pressure, and therefore $\lambda\Pi$:
 
-$$ \lambda\Pi \;\text{ along }
-   \begin{cases} SI, \text{ if } ds > a\,d\Phi,\\ SO, \text{ if } ds < a\,d\Phi, \end{cases}
-   \quad \lambda = \tfrac13{{entry usual}}, \tag{1} $$
+$$ \begin{gathered} \lambda\Pi \;\text{ along }
+   \begin{cases} SI, \text{ if } ds > a\,d\Phi,\\ SO, \text{ if } ds < a\,d\Phi, \end{cases} \\
+   \lambda = \tfrac13{{entry usual}}, \end{gathered} \tag{1} $$
 
 where for λ, which is the fraction commonly taken when there is real rubbing, any other may be put. In the
 case $ds = a\,d\Phi$ nothing rubs. Then, and this he asks the reader to mark, either there is no friction at

@@ -200,7 +200,7 @@ TELL
 The equations are held against Lagrange's, for the coordinates $s$ and Φ, of which neither is a coordinate
 of $G$. With $F$ for the friction over $P/2g$ they are
 
-$$ \begin{aligned} &\frac{dds - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi}{dt^2} = -F,\\
+$$ \begin{aligned} &\frac{dds - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi}{dt^2}\\ &\quad = -F,\\
    &\frac{(cc+kk)\,dd\Phi - c\,dds\cos\Phi}{dt^2}\\ &\quad = -2gc\sin\Phi + aF, \end{aligned} \tag{B} $$
 
 and $F$ is λ times what {{eq 2}} has for Π.

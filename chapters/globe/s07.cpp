@@ -43,9 +43,10 @@ every Φ.
 
 Held at rest at the angle Φ and let go, the ball begins to turn with
 
-$$ \begin{aligned} \frac{dd\Phi}{dt^2} &= -\frac{2gc\sin\Phi}{kk + cc\sin^2\Phi}
-   &&\text{smooth,}\\
-   \frac{dd\Phi}{dt^2} &= -\frac{2gc\sin\Phi}{aa+cc+kk - 2ac\cos\Phi} &&\text{rolling;}
+$$ \begin{aligned} &\text{smooth:}\\
+   &\frac{dd\Phi}{dt^2} = -\frac{2gc\sin\Phi}{kk + cc\sin^2\Phi},\\
+   &\text{rolling:}\\
+   &\frac{dd\Phi}{dt^2} = -\frac{2gc\sin\Phi}{aa+cc+kk - 2ac\cos\Phi};
    \end{aligned} \tag{B} $$
 
 rolling is the slower, $G$ being farther from $S$ than from the vertical through it, and needs

@@ -17,19 +17,21 @@ $$ \Pi = P + \frac{P\,ddy}{2g{{entry two_g}}\,dt^2}; \tag{1} $$
 
 put into the other two, it makes of them
 
-$$ \begin{aligned} \text{I.}\quad \frac{ddx}{2g\,dt^2} &= -\lambda - \frac{\lambda\,ddy}{2g\,dt^2},\\
-   \text{II.}\quad \frac{kk\,dd\Phi}{2g\,dt^2} &= (a\lambda - \lambda c\cos\Phi - c\sin\Phi)\\
-   &\quad\cdot\Bigl(1 + \frac{ddy}{2g\,dt^2}\Bigr). \end{aligned} \tag{2} $$
+$$ \begin{aligned} &\text{I.}\quad \frac{ddx}{2g\,dt^2} = -\lambda - \frac{\lambda\,ddy}{2g\,dt^2},\\
+   &\text{II.}\quad \frac{kk\,dd\Phi}{2g\,dt^2}\\ &\quad = (a\lambda - \lambda c\cos\Phi - c\sin\Phi)\\
+   &\qquad\cdot\Bigl(1 + \frac{ddy}{2g\,dt^2}\Bigr). \end{aligned} \tag{2} $$
 
 If for $x$ and $y$ their values of {{sec globe.03}} are put, these take the forms
 
 $$ \begin{aligned} \text{I.}\quad &dds - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi\\
-   &\;+ \lambda c\,dd\Phi\sin\Phi + \lambda c\,d\Phi^2\cos\Phi = -2g\lambda\,dt^2, \end{aligned} \tag{3} $$
+   &\;+ \lambda c\,dd\Phi\sin\Phi + \lambda c\,d\Phi^2\cos\Phi\\
+   &\;= -2g\lambda\,dt^2, \end{aligned} \tag{3} $$
 
 $$ \begin{aligned} \text{II.}\quad
-   &dd\Phi\,(kk - \lambda ac\sin\Phi + \lambda cc\sin\Phi\cos\Phi + cc\sin^2\Phi)\\
-   &\;+ d\Phi^2(\lambda cc\cos^2\Phi + cc\sin\Phi\cos\Phi - \lambda ac\cos\Phi)\\
-   &\;= 2g{{entry second_row}}\,dt^2\,(\lambda a - \lambda c\cos\Phi - c\sin\Phi), \end{aligned} \tag{4} $$
+   &dd\Phi\,(kk - \lambda ac\sin\Phi\\ &\quad + \lambda cc\sin\Phi\cos\Phi + cc\sin^2\Phi)\\
+   &\;+ d\Phi^2(\lambda cc\cos^2\Phi\\ &\quad + cc\sin\Phi\cos\Phi - \lambda ac\cos\Phi)\\
+   &\;= 2g{{entry second_row}}\,dt^2\\
+   &\quad\cdot(\lambda a - \lambda c\cos\Phi - c\sin\Phi), \end{aligned} \tag{4} $$
 
 which he writes with $2g\,dt^2$ under the left sides. Besides the time only two variables are in them. But
 nothing further at all can be inferred, unless one knows beforehand, from the circumstances of the motion,
@@ -48,7 +50,7 @@ $$ \frac{dx}{dt} + \lambda\Bigl(\frac{dy}{dt} + 2g\,t\Bigr) = \text{Const.} \tag
 In {{eq 4}} neither the time is contained nor $s$. With
 
 $$ \begin{gathered} q = \lambda(a - c\cos\Phi) - c\sin\Phi, \\
-   M = kk - cq\sin\Phi, \qquad J = \int\frac{a\cos\Phi - c}M\,d\Phi \end{gathered} \tag{B} $$
+   M = kk - cq\sin\Phi, \\ J = \int\frac{a\cos\Phi - c}M\,d\Phi \end{gathered} \tag{B} $$
 
 it is $M\,dd\Phi = q\,(2g\,dt^2 + c\,d\Phi^2\cos\Phi)$, a linear equation for the square of $w = d\Phi/dt$,
 and

@@ -19,7 +19,7 @@ $$ \frac{y\,ddx + c\,ddy\sin\Phi + kk\,dd\Phi}{2g\,dt^2} = -c\sin\Phi. \tag{1} $
 
 With the values of $x$ and $y$ put in, this becomes
 
-$$ \begin{aligned} &dds\,(a - c\cos\Phi) + dd\Phi\,(cc - ac\cos\Phi + kk)\\
+$$ \begin{aligned} &dds\,(a - c\cos\Phi)\\ &\quad + dd\Phi\,(cc - ac\cos\Phi + kk)\\
    &\quad + ac\,d\Phi^2{{entry square}}\sin\Phi = -2gc\,dt^2\sin\Phi. \end{aligned} \tag{2} $$
 
 But three variables are still in it, and so nothing can be concluded from it for the purpose. A fuller

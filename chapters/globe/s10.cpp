@@ -19,7 +19,7 @@ smooth, $\lambda = 0$. The first of the three equations ({{sec globe.06}}) then 
 $dx/dt$ is constant. If $G$ had the horizontal velocity $f$ at the beginning, it keeps it, and since $x$ and
 $\Phi$ vanish together, $CGA$ being upright at first,
 
-$$ \frac{dx}{dt} = f, \quad x = ft \tag{1}, $$
+$$ \frac{dx}{dt} = f, \quad x = ft, \tag{1} $$
 
 $$ s = ft + c\sin\Phi. \tag{2} $$
 
@@ -36,7 +36,7 @@ $$ kk\,dd\Phi + c\,ddy\sin\Phi = -2gc\,dt^2\sin\Phi. \tag{5} $$
 Now $y = a - c\cos\Phi$, so that $ddy = c\,dd\Phi\sin\Phi + c\,d\Phi^2\cos\Phi$ by {{sec globe.03}}, and
 there comes
 
-$$ \begin{aligned} kk\,dd\Phi + cc\,dd\Phi\sin^2\Phi &+ cc\,d\Phi^2\sin\Phi\cos\Phi\\
+$$ \begin{aligned} kk\,dd\Phi &+ cc\,dd\Phi\sin^2\Phi\\ &+ cc\,d\Phi^2\sin\Phi\cos\Phi\\
    &= -2gc\,dt^2\sin\Phi, \end{aligned} \tag{6} $$
 
 which has two variables only, the angle $\Phi$ and the time $t$. The radius $a$ is not in it. In our copy the

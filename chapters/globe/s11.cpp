@@ -15,7 +15,7 @@ using namespace globe;
 Multiplied by $2d\Phi$ the equation of the smooth plane can be integrated, and gives how fast the ball
 turns in every position. That equation, of {{sec globe.10}}, was
 
-$$ \begin{aligned} kk\,dd\Phi + cc\,dd\Phi\sin^2\Phi &+ cc\,d\Phi^2\sin\Phi\cos\Phi\\
+$$ \begin{aligned} kk\,dd\Phi &+ cc\,dd\Phi\sin^2\Phi\\ &+ cc\,d\Phi^2\sin\Phi\cos\Phi\\
    &= -2gc\,dt^2\sin\Phi. \end{aligned} $$
 
 Its first member times $2d\Phi$ is the differential of $kk\,d\Phi^2$; the second and the third together are

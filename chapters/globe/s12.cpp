@@ -23,12 +23,12 @@ $$ P\Bigl(\frac{dx^2}{dt^2} + \frac{dy^2}{dt^2}\Bigr), \tag{2} $$
 
 where $dx:dt = f$ by {{sec globe.10}}, and, since $dy = c\,d\Phi\sin\Phi$,
 
-$$ \begin{aligned} \frac{dy^2}{dt^2} &= \frac{d\Phi^2}{dt^2}cc\sin^2\Phi \\
-   &= \frac{(4gc\cos\Phi + \zeta\zeta kk - 4gc)\,cc\sin^2\Phi}{kk + cc\sin^2\Phi}. \end{aligned} \tag{3} $$
+$$ \begin{aligned} &\frac{dy^2}{dt^2} = \frac{d\Phi^2}{dt^2}cc\sin^2\Phi \\
+   &= \frac{(4gc\cos\Phi + \zeta\zeta kk - 4gc)cc\sin^2\Phi}{kk + cc\sin^2\Phi}. \end{aligned} \tag{3} $$
 
 Added together they lose their denominator, and the whole living force is
 
-$$ \begin{aligned} P\Bigl(ff &+ \frac{d\Phi^2}{dt^2}(kk + cc\sin^2\Phi){{entry bracket}}\Bigr) \\
+$$ \begin{aligned} &P\Bigl(ff + \frac{d\Phi^2}{dt^2}(kk + cc\sin^2\Phi){{entry bracket}}\Bigr) \\
    &= P(ff + 4gc\cos\Phi + \zeta\zeta kk - 4gc), \end{aligned} \tag{4} $$
 
 $$ P\bigl(ff + \zeta\zeta kk - 4gc(1-\cos\Phi)\bigr). \tag{5} $$

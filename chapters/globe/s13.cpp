@@ -47,7 +47,7 @@ three things can be said. First, let a pendulum have the same share $h$ of the e
 for; it stops at the same angle as the ball. With $\tau = t\sqrt{2gc}$ for the ball's time and υ for the
 pendulum's own,
 
-$$ \begin{gathered} d\upsilon = \frac{\tfrac12\,d\Phi}{\sqrt{h - \sin^2\frac12\Phi}}, \qquad
+$$ \begin{gathered} d\upsilon = \frac{\tfrac12\,d\Phi}{\sqrt{h - \sin^2\frac12\Phi}}, \\
    h = \frac{\zeta\zeta kk}{8gc}, \\
    d\tau = \sqrt{kk + cc\sin^2\Phi}\;d\upsilon. \end{gathered} \tag{A} $$
 

@@ -42,9 +42,10 @@ How safe is the neglect? The two terms that he drops are of the same order: $cc\
 the $\frac1{24}\Phi^4$ of the cosine. Keep both to the first order, and write $A = \zeta:n$ and
 $\varphi = nt$; then {{eq 4}} is followed by
 
-$$ \begin{aligned} \Phi = A&\sin\varphi
-   - A^3\Bigl(\frac1{16} + \frac{cc}{4kk}\Bigr)\varphi\cos\varphi \\
-   &+ A^3\Bigl(\frac1{24} + \bigl(\frac1{48} + \frac{cc}{4kk}\bigr)\cos^2\varphi\Bigr)\sin\varphi.
+$$ \begin{aligned} \Phi &= A\sin\varphi \\
+   &\quad - A^3\Bigl(\frac1{16} + \frac{cc}{4kk}\Bigr)\varphi\cos\varphi \\
+   &\quad + A^3\Bigl(\frac1{24} \\
+   &\quad\; + \Bigl(\frac1{48} + \frac{cc}{4kk}\Bigr)\cos^2\varphi\Bigr)\sin\varphi.
    \end{aligned} \tag{A} $$
 
 The second term grows with the time. It is no growing of the motion: it says that the true sine goes a

@@ -45,7 +45,7 @@ $$ \begin{gathered} \frac T{T_0} = \frac2\pi\int \sqrt{\frac{1 + 4q\,X(1-X)}{1-X
 
 and expanded by the powers of $X$, each of whose means is known,
 
-$$ \begin{aligned} \frac T{T_0} = 1 &+ \Bigl(\frac14 + q\Bigr)h \\
+$$ \begin{aligned} \frac T{T_0} &= 1 + \Bigl(\frac14 + q\Bigr)h \\
    &+ \Bigl(\frac9{64} - \frac{3q}8 - \frac{3qq}4\Bigr)hh \\
    &+ \Bigl(\frac{25}{256} - \frac{5q}{64} + \frac{15qq}{16} + \frac{5q^3}4\Bigr)h^3 \\
    &+ \cdots \end{aligned} \tag{B} $$

@@ -29,8 +29,8 @@ $$ \zeta\zeta kk = 8gc, \qquad \zeta = \frac{\sqrt{8gc}}k; \tag{3} $$
 
 this is the angular velocity impressed at the beginning. Then
 
-$$ \begin{aligned} \sqrt{\zeta\zeta kk - 4gc(1-\cos\Phi)} &= \sqrt{4gc(1+\cos\Phi)} \\
-   &= \cos\tfrac12\Phi\,\sqrt{8gc}, \end{aligned} \tag{4} $$
+$$ \begin{aligned} &\sqrt{\zeta\zeta kk - 4gc(1-\cos\Phi)} \\ &\quad = \sqrt{4gc(1+\cos\Phi)} \\
+   &\quad = \cos\tfrac12\Phi\,\sqrt{8gc}, \end{aligned} \tag{4} $$
 
 $$ dt\,\sqrt{8gc} = \frac{d\Phi}{\cos\frac12\Phi}\Bigl(k + \frac{cc}{2k}\sin^2\Phi\Bigr), \tag{5} $$
 
@@ -53,7 +53,7 @@ The smallness of $c$, on the other hand, can be spared, since {{eq 4}} alone mak
 too great by the part
 
 $$ \begin{aligned} &\frac{1+\frac12X}{\sqrt{1+X}} - 1 \\
-   &\quad = \frac{XX}{4\sqrt{1+X}\,(1+\frac12X+\sqrt{1+X})}, \end{aligned} \tag{B} $$
+   &= \frac{XX}{4\sqrt{1+X}\,(1+\frac12X+\sqrt{1+X})}, \end{aligned} \tag{B} $$
 
 which is less than $\frac18XX$. So each step of the time, and the time itself, comes out a little too long.
 

@@ -70,7 +70,8 @@ The place is given by ω, the quantity that is small near the top, or by Φ.
 const auto c = real("c", 0.1, feet, scale, "CG, from the ball's centre to its centre of gravity");
 const auto k = real("k", 0.6, feet, scale, "radius of gyration: the moment of inertia about G is Pkk");
 const auto g = real("g", 15.625, feet, scale, "height fallen from rest in the first second");
-const auto omega = angle("omega", 30_deg, from_below(1e-300, 90_deg), "half of what Φ is short of 180°");
+const auto omega =
+    angle("omega", 30_deg, from_below(1e-300_deg, 90_deg), "half of what Φ is short of 180°");
 const auto Phi = angle("Phi", 0, closed(0, 180_deg), "the angle turned instead of ω, where not 0");
 
 Fifty place()  // ω
@@ -158,7 +159,7 @@ CHECK_THAT("(2) and (3) are Euler's formula of §16 in ω, and their integral fr
 
 CHECK_THAT("the times told are those of the motion, and of (5), however near the top")
 {
-  for(const Told& now : told_at("", "Phi=120 c=0.6", "omega=1e-300rad g=1e-90", "c=1e-50 omega=80",
+  for(const Told& now : told_at("", "Phi=120 c=0.6", "omega=1e-300 g=1e-90", "c=1e-50 omega=80",
                                 "Phi=179.9999999999 c=20 k=3", "Phi=1e-6 c=2"))
   {
     const Fifty c_ = c.fifty(), k_ = k.fifty(), second = sqrt(2 * g.fifty() * c_), v = cos(place());

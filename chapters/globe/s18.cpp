@@ -56,8 +56,8 @@ What does {{eq 1}} leave out? In {{sec globe.16}} Euler replaced $\sqrt{kk+cc\si
 $k + cc\sin^2\Phi/2k$. There is no need to. With $v = \sin\tfrac12\Phi$ the integral of {{sec globe.13}} can
 be split without any neglect:
 
-$$ \begin{aligned} t&\sqrt{2gc} = k\,l\cot\tfrac12\omega \\
-   &+ \int_0^{\cos\omega}\!\frac{4cc\,vv\;dv}{k+\sqrt{kk+4cc\,vv(1-vv)}}. \end{aligned} \tag{A} $$
+$$ \begin{aligned} &t\sqrt{2gc} = k\,l\cot\tfrac12\omega \\
+   &+ \int_0^{\cos\omega}\!\!\frac{4ccvv\,dv}{k+\sqrt{kk+4ccvv(1-vv)}}. \end{aligned} \tag{A} $$
 
 The first term is Euler's logarithm, unaltered; the integral stays finite up to the top. So his conclusion
 does not hang on a small $c$: the time to the top is infinite for every ball. And where the root is replaced
@@ -102,7 +102,8 @@ top; `--omega 1e-300rad` is a good question.
 const auto c = real("c", 0.1, feet, scale, "CG, from the ball's centre to its centre of gravity");
 const auto k = real("k", 0.6, feet, scale, "radius of gyration: the moment of inertia about G is Pkk");
 const auto g = real("g", 15.625, feet, scale, "height fallen from rest in the first second");
-const auto omega = angle("omega", 45_deg, from_below(1e-300, 90_deg), "half of what Φ is short of 180°");
+const auto omega =
+    angle("omega", 45_deg, from_below(1e-300_deg, 90_deg), "half of what Φ is short of 180°");
 
 const Fifty c0 = our_ball<Fifty>.c, k0 = our_ball<Fifty>.k, half_right = exact::pi() / 4;
 
@@ -298,8 +299,8 @@ Fifty euler(const Fifty& c, const Fifty& k, const Fifty& w)  // (1), as it stand
 
 CHECK_THAT("the times and the race told are (1), its next term, (A), and Gauss's rule, in fifty digits")
 {
-  for(const Told& now : told_at("", "c=0.6 omega=30", "c=40 k=1 omega=1e-300rad g=1e-90",
-                                "c=1e-50 omega=80", "c=50 k=1 omega=89.9999999"))
+  for(const Told& now : told_at("", "c=0.6 omega=30", "c=40 k=1 omega=1e-300 g=1e-90", "c=1e-50 omega=80",
+                                "c=50 k=1 omega=89.9999999"))
   {
     const Fifty c_ = c.fifty(), k_ = k.fifty(), w = omega.fifty(), second = sqrt(2 * g.fifty() * c_);
     const Fifty t = by_rest(c_, k_, w), late = euler(c_, k_, w) / t - 1;

@@ -34,7 +34,7 @@ $$ \frac1{\sqrt{nn - 2\sin^2\frac12\Phi}} = \frac1n + \frac{\sin^2\frac12\Phi}{n
 
 and with this value
 
-$$ \begin{aligned} 2n\,dt\sqrt{gc}
+$$ \begin{aligned} &2n\,dt\sqrt{gc} \\
    &= d\Phi\Bigl(k + \frac{cc}{2k}\sin^2\Phi\Bigr)\Bigl(1 + \frac{\sin^2\frac12\Phi}{nn}\Bigr) \\
    &= d\Phi\Bigl(k + \frac{cc}{2k}\sin^2\Phi + \frac k{nn}\sin^2\tfrac12\Phi\Bigr), \end{aligned} \tag{5} $$
 
@@ -52,8 +52,8 @@ Today: $nn = 2h$, where $h$ is the energy over that of the top, as in {{sec glob
 Is {{eq 6}} all that has been neglected? Write $X = cc\sin^2\Phi : kk$ and $Y = 2\sin^2\frac12\Phi : nn$. Then
 the true factor of $k\,d\Phi$ and Euler's are
 
-$$ \begin{aligned} \frac{\sqrt{1+X}}{\sqrt{1-Y}} = 1 &+ \tfrac12X + \tfrac12Y \\
-   &+ \tfrac14XY + \tfrac38YY - \tfrac18XX + \dots \end{aligned} \tag{A} $$
+$$ \begin{aligned} &\frac{\sqrt{1+X}}{\sqrt{1-Y}} = 1 + \tfrac12X + \tfrac12Y \\
+   &\quad + \tfrac14XY + \tfrac38YY - \tfrac18XX + \dots \end{aligned} \tag{A} $$
 
 His {{eq 6}} is the $\frac14XY$. But $X$ and $Y$ were each expanded to the first power only, and the squares
 that went out there are small twice over as well. Over a whole turn the three come, on the average, to

@@ -51,8 +51,8 @@ $$ M = \Phi - e_1\sin\Phi - e_2\sin2\Phi, \tag{A} $$
 
 and one comes back by
 
-$$ \begin{aligned} \Phi = M &+ e_1\sin M \\
-   &+ \bigl(e_2 + \tfrac12e_1e_1\bigr)\sin2M + \dots, \end{aligned} \tag{B} $$
+$$ \begin{aligned} \Phi &= M + e_1\sin M \\
+   &\quad + \bigl(e_2 + \tfrac12e_1e_1\bigr)\sin2M + \dots, \end{aligned} \tag{B} $$
 
 where what follows is of the third order if $e_2$ counts as of the second. That half a turn takes half the
 time is no merit of the approximation: the velocity depends on $\cos\Phi$ and $\sin^2\Phi$ alone, so that the
@@ -60,8 +60,8 @@ ball goes up just as it comes down, whatever its energy.
 
 The time {{eq 4}} itself wants a correction. The means of the terms that {{sec globe.21}} leaves out give
 
-$$ \begin{aligned} t = \frac{\pi k}{n\sqrt{gc}}\Bigl(1 &+ \frac{cc}{4kk} + \frac1{2nn} \\
-   &+ \frac9{16n^4} + \frac{cc}{8nnkk} - \frac{3c^4}{64k^4}\Bigr), \end{aligned} \tag{C} $$
+$$ \begin{aligned} t &= \frac{\pi k}{n\sqrt{gc}}\Bigl(1 + \frac{cc}{4kk} + \frac1{2nn} \\
+   &\quad + \frac9{16n^4} + \frac{cc}{8nnkk} - \frac{3c^4}{64k^4}\Bigr), \end{aligned} \tag{C} $$
 
 and as long as the ball stays on its plane, and $c$ is not greater than $k$, the first of the three new
 members is the greatest in size.

@@ -22,7 +22,7 @@ assumed in {{sec globe.04}} for true rubbing, $\tfrac13${{entry limit}}, the bal
 The easiest way is to divide the third equation of {{sec globe.07}} by the first of {{sec globe.06}}. They are
 
 $$ \begin{aligned} \frac{P\,ddx}{2g\,dt^2} &= -\lambda\Pi, \\
-   \frac{Pkk\,dd\Phi}{2g\,dt^2} &= \lambda\Pi(a - c\cos\Phi) - \Pi c\sin\Phi, \end{aligned} $$
+   \frac{Pkk\,dd\Phi}{2g\,dt^2} &= \lambda\Pi(a - c\cos\Phi)\\ &\quad - \Pi c\sin\Phi, \end{aligned} $$
 
 and Π goes out with $P$ and $g$:
 
@@ -48,8 +48,8 @@ lowest and highest place, where it has $\tfrac00$.
 Both are mended by going one step further. With $y = a - c\cos\Phi$ for the height of $G$ and
 $v = d\Phi^2/2g\,dt^2$, the equation of {{sec globe.25}} gives $dd\Phi$, and {{eq 2}} becomes
 
-$$ \begin{gathered} \lambda = \frac{c\sin\Phi\,\bigl(y - v(cc+kk-ac\cos\Phi)\bigr)}{kk + yy + vcE}, \\
-   E = (aa+cc+kk)\cos\Phi - ac(1+\cos^2\Phi). \end{gathered} \tag{A} $$
+$$ \begin{aligned} \lambda &= c\sin\Phi\\ &\quad\cdot\frac{y - v(cc+kk-ac\cos\Phi)}{kk + yy + vcE}, \\
+   E &= (aa+cc+kk)\cos\Phi\\ &\quad - ac(1+\cos^2\Phi). \end{aligned} \tag{A} $$
 
 The denominator is the pressure, over the weight, times $aa+cc+kk-2ac\cos\Phi$. On the way up the slow ball
 is held back by friction, the fast one pushed on: $\lambda$ changes its sign where

@@ -15,13 +15,13 @@ The motion itself does not wait for the friction: one equation has neither it no
 integrated. That equation, from {{sec globe.09}}, holds in every case; with $dds = a\,dd\Phi$ it becomes one
 of $\Phi$ alone,
 
-$$ \begin{aligned} &a\,dd\Phi(a - c\cos\Phi) + dd\Phi(cc - ac\cos\Phi + kk) \\
+$$ \begin{aligned} &a\,dd\Phi(a - c\cos\Phi) \\ &\quad + dd\Phi(cc - ac\cos\Phi + kk) \\
    &\quad + ac\,d\Phi^2\sin\Phi = -2cg\,dt^2\sin\Phi, \end{aligned} \tag{1} $$
 
 or, collected,
 
-$$ \begin{aligned} (aa+cc+kk)\,&dd\Phi - 2ac\,dd\Phi\cos\Phi \\
-   &+ ac\,d\Phi^2\sin\Phi = -2cg\,dt^2\sin\Phi. \end{aligned} \tag{2} $$
+$$ \begin{aligned} &(aa+cc+kk)\,dd\Phi - 2ac\,dd\Phi\cos\Phi \\
+   &\quad + ac\,d\Phi^2\sin\Phi = -2cg\,dt^2\sin\Phi. \end{aligned} \tag{2} $$
 
 Multiplied by $2d\Phi$ it integrates of itself: the first two members with the third are the differential of
 $d\Phi^2(aa+cc+kk-2ac\cos\Phi)$, and the right side that of $4cg\,dt^2\cos\Phi$. So
@@ -46,7 +46,7 @@ As there, the constant is better replaced by $h$, the living force at the lowest
 stand still at the top:
 
 $$ \begin{gathered} C = c(2h-1), \\
-   4g(C + c\cos\Phi) = 8gc\,\bigl(h - \sin^2\tfrac12\Phi\bigr). \end{gathered} \tag{B} $$
+   4g(C + c\cos\Phi) = 8gc(h - \sin^2\tfrac12\Phi). \end{gathered} \tag{B} $$
 
 With $C < c$ the ball rocks up to $\cos\Phi = -C/c$, with $C > c$ it rolls on for ever, and $C = c$ is the
 case between.

@@ -30,15 +30,15 @@ $$ \begin{aligned} &a\,dd\Phi - c\,dd\Phi\cos\Phi + c\,d\Phi^2\sin\Phi \\
 
 Now all members have $d\Phi^2$, and it goes out too. The left side of that equation is
 
-$$ \begin{gathered} -\frac{ckk\sin\Phi}{2C+2c\cos\Phi}
-   - \frac{ackk\sin\Phi}{aa+cc+kk-2ac\cos\Phi}{{entry upper}} \\ \text{over} \\
+$$ \begin{gathered} -\frac{ckk\sin\Phi}{2C+2c\cos\Phi} \\
+   {}- \frac{ackk\sin\Phi}{aa+cc+kk-2ac\cos\Phi}{{entry upper}} \\ \text{over} \\
    \frac{c\sin\Phi(2C+3c\cos\Phi-a)}{2C+2c\cos\Phi}{{entry lower}} \\
    {}- \frac{ac(a-c\cos\Phi)\sin\Phi}{aa+cc+kk-2ac\cos\Phi}, \end{gathered} \tag{4} $$
 
 and, both multiplied by the two denominators{{entry cleared}}, all but $\cos\Phi$ cancels. There remains
 
-$$ \begin{gathered} -kk(aa+cc+kk+2aC){{entry above}} \quad\text{over} \\
-   kk(3c\cos\Phi+2C-a) + 2Cc(c-a\cos\Phi) \\
+$$ \begin{gathered} -kk(aa+cc+kk+2aC){{entry above}} \\ \text{over} \\
+   kk(3c\cos\Phi+2C-a) \\ {}+ 2Cc(c-a\cos\Phi) \\
    {}- a^3{{entry below}} + 3aac\cos\Phi \\
    {}- acc(1+4\cos^2\Phi) + 3c^3\cos\Phi, \end{gathered} \tag{5} $$
 

@@ -69,8 +69,8 @@ $$ \begin{gathered} kk \ge (a+c)(3c-a), \quad\text{that is} \\
 with more eccentricity it is lost before, at an angle below 180°, near it at first. At the angle Φ the
 rolling ball presses no more when its energy has grown to
 
-$$ \begin{gathered} h = \sin^2\tfrac12\Phi - \frac{D\,(kk+yy)}{4ccE}, \\
-   E = (aa+cc+kk)\cos\Phi - ac(1+\cos^2\Phi), \end{gathered} \tag{B} $$
+$$ \begin{aligned} h &= \sin^2\tfrac12\Phi - \frac{D\,(kk+yy)}{4ccE}, \\
+   E &= (aa+cc+kk)\cos\Phi\\ &\quad - ac(1+\cos^2\Phi), \end{aligned} \tag{B} $$
 
 with $y = a - c\cos\Phi$ and $D = aa+cc+kk-2ac\cos\Phi$; where $E$ is not negative no energy brings it so
 far. The least of all these energies is the one with which the pressure is first lost, and its angle

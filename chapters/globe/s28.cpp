@@ -16,8 +16,8 @@ using namespace globe;
 If the plane has the friction that rolling takes, angle and time hang together by one formula. It is the
 integral of {{sec globe.25}},
 
-$$ \begin{aligned} d\Phi^2(aa+cc+kk) &- 2ac\,d\Phi^2\cos\Phi \\
-   &= 4g\,dt^2(c\cos\Phi + C), \end{aligned} \tag{1} $$
+$$ \begin{aligned} &d\Phi^2(aa+cc+kk) - 2ac\,d\Phi^2\cos\Phi \\
+   &\quad = 4g\,dt^2(c\cos\Phi + C), \end{aligned} \tag{1} $$
 
 from which
 
@@ -38,13 +38,13 @@ $\sin^2\tfrac12\varphi = \varpi/(1+\sigma)$, where $\varpi = \sin^2\tfrac12\Phi$
 factors of σ under the root. In Carlson's integrals
 
 $$ \begin{aligned} R_F &= \tfrac12\!\int_0^\infty\!\frac{d\sigma}{\sqrt{(\sigma+x)(\sigma+y)(\sigma+z)}}, \\
-   R_J &= \tfrac32\!\int_0^\infty\!\frac{d\sigma}{(\sigma+1)\sqrt{(\sigma+x)(\sigma+y)(\sigma+z)}}
+   R_J &= \tfrac32\!\int_0^\infty\!\frac{(\sigma+1)^{-1}\,d\sigma}{\sqrt{(\sigma+x)(\sigma+y)(\sigma+z)}}
    \end{aligned} $$
 
 the time is, for rocking and turning over alike,
 
 $$ \begin{gathered} t\sqrt{2gc} = b\sqrt{\frac\varpi h}\,\Bigl(R_F + \frac{4ac\varpi}{3bb}\,R_J\Bigr), \\
-   x = 1-\frac\varpi h, \quad y = 1-\varpi, \quad z = 1+\frac{4ac\varpi}{bb}, \end{gathered} \tag{A} $$
+   x = 1-\frac\varpi h, \quad y = 1-\varpi, \\ z = 1+\frac{4ac\varpi}{bb}, \end{gathered} \tag{A} $$
 
 with $bb = (a-c)^2+kk$ and $h$ for the energy over what the top asks for. There is no case to be told apart,
 and where $h$ is all but 1 nothing is lost if $1 - h$ is given by itself. At $h = 1$ two of the letters are

@@ -19,8 +19,8 @@ $$ \frac{ds}{dt} = \frac{a\,d\Phi}{dt}{{entry rolling_start}} = a\zeta, \tag{1} 
 
 while on the smooth plane it could be any. The equation of {{sec globe.25}} gives for $\Phi = 0$
 
-$$ \begin{aligned} \zeta\zeta(aa+cc+kk-2ac) &= \zeta\zeta\bigl((a-c)^2+kk\bigr) \\
-   &= 4g(c+C), \end{aligned} \tag{2} $$
+$$ \begin{aligned} &\zeta\zeta(aa+cc+kk-2ac) \\ &\quad = \zeta\zeta\bigl((a-c)^2+kk\bigr)
+   = 4g(c+C), \end{aligned} \tag{2} $$
 
 whence
 
@@ -28,8 +28,8 @@ $$ 4gC = \zeta\zeta\bigl((a-c)^2+kk\bigr) - 4gc, \tag{3} $$
 
 and in general
 
-$$ \begin{aligned} \frac{d\Phi^2}{dt^2}&(aa+cc+kk-2ac\cos\Phi) \\
-   &= \zeta\zeta\bigl((a-c)^2+kk\bigr) - 4gc(1-\cos\Phi). \end{aligned} \tag{4} $$
+$$ \begin{aligned} &\frac{d\Phi^2}{dt^2}(aa+cc+kk-2ac\cos\Phi) \\
+   &\quad = \zeta\zeta\bigl((a-c)^2+kk\bigr)\\ &\qquad - 4gc(1-\cos\Phi). \end{aligned} \tag{4} $$
 
 From this
 

@@ -59,7 +59,7 @@ With the constants put in,
 $$ \varepsilon' = \varepsilon - K\varepsilon\varepsilon + \ldots, \qquad
    K = \frac{9\,y\,UU}{2kk\,D\,V\sin\Phi_*}, \tag{B} $$
 
-$$ \begin{aligned} U &= y\,(kk+yy)\cos\Phi_* + c\,(kk-yy)\sin^2\Phi_*, \\
+$$ \begin{aligned} U &= y\,(kk+yy)\cos\Phi_*\\ &\quad + c\,(kk-yy)\sin^2\Phi_*, \\
    V &= U + 2ckk\sin^2\Phi_*, \\ D &= aa+cc+kk-2ac\cos\Phi_*, \end{aligned} $$
 
 where $y$ is that of $\Phi_*$. After $n$ swings ε is nearly $1:Kn$. So the body comes nearer and nearer to the

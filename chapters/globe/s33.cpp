@@ -40,7 +40,7 @@ Today: $h = \frac12nn$, the energy over what the top asks for; Case II is $h = 1
 That rolling is slower is right, and for more than a small $c$. With the same $h$ the times differ only by
 what stands under the upper root, and for the ball that rolls this is
 
-$$ \begin{aligned} aa&+cc+kk-2ac\cos\Phi \\
+$$ \begin{aligned} &aa+cc+kk-2ac\cos\Phi \\
    &= kk + cc\sin^2\Phi + (a - c\cos\Phi)^2: \end{aligned} \tag{A} $$
 
 it is more by the square of the height of $G$ above the plane.

@@ -62,7 +62,7 @@ For others it fails. A swing of the amplitude that belongs to $h$ is longer than
 different parts in the three motions,
 
 $$ \begin{gathered} \frac T{T_0} = 1 + mh + \ldots, \\
-   m = \tfrac14, \quad m = \tfrac14 + \frac{cc}{kk}, \quad m = \tfrac14 + \frac{ac}{bb},
+   m = \tfrac14, \quad m = \tfrac14 + \frac{cc}{kk}, \\ m = \tfrac14 + \frac{ac}{bb},
    \end{gathered} \tag{B} $$
 
 so that rocking on a plane is not even as isochronous as a pendulum. With amplitudes near 180° the theorem
