@@ -694,6 +694,11 @@ test('numbers are rounded on their decimals and written as prose and as mathemat
   assert.equal(format({ value: 1, unit: '' }, 'x'), null);
 });
 
+test('a sign of the apparatus stays on the line of its formula', () => {
+  const { page } = weave((files) => files.replace('s11.cpp', 'He finds a third {{entry', 'He finds $\\tfrac13$ {{entry'));
+  assert.match(page(), /He finds <span class="stopped"><span class="katex">[^]*?<\/span>\u00a0<a class="siglum"[^>]*>⁕<\/a><\/span>\. See/);
+});
+
 test('a range is written with powers of ten, as the numbers are', () => {
   for (const [told, written] of [
     ['1e-10 ft ≤ b ≤ 10000000000 ft', '10⁻¹⁰ ft ≤ b ≤ 10¹⁰ ft'],
