@@ -211,8 +211,12 @@ rules.division = guarded((token, page, tokens, i) => {
 });
 rules.table_open = () => '<div class="table words" tabindex="0" role="group" aria-label="Table">\n<table>\n';
 rules.table_close = () => '</table>\n</div>\n';
-rules.code_inline = (tokens, i) =>
-  `<code${tokens[i].content.length < 30 ? ' class="whole"' : ''}>${escape(tokens[i].content)}</code>`;
+/** Code: what is short is not broken, and an option not behind its dashes. */
+rules.code_inline = (tokens, i) => {
+  const { content } = tokens[i];
+  if (content.length < 30) return `<code class="whole">${escape(content)}</code>`;
+  return `<code>${escape(content).replace(/--\w+/g, '<span class="stopped">$&</span>')}</code>`;
+};
 rules.heading_open = (tokens, i) => `<${tokens[i].tag} id="${slug(tokens[i + 1].content)}">`;
 rules.heading_close = (tokens, i) => `${anchor(slug(tokens[i - 1].content))}</${tokens[i].tag}>\n`;
 rules.fence = (tokens, i) =>

@@ -694,6 +694,12 @@ test('numbers are rounded on their decimals and written as prose and as mathemat
   assert.equal(format({ value: 1, unit: '' }, 'x'), null);
 });
 
+test('an option is not broken behind its dashes', () => {
+  const call = '`pendulum-11 --x 0.000000001 --check`';
+  const { page } = weave((files) => files.replace('s11.cpp', 'He finds a third', `He finds ${call}, a third`));
+  assert.match(page(), /<code>pendulum-11 <span class="stopped">--x<\/span> 0\.0+1 <span class="stopped">--check<\/span><\/code>/);
+});
+
 test('a sign of the apparatus stays on the line of its formula', () => {
   const { page } = weave((files) => files.replace('s11.cpp', 'He finds a third {{entry', 'He finds $\\tfrac13$ {{entry'));
   assert.match(page(), /He finds <span class="stopped"><span class="katex">[^]*?<\/span>\u00a0<a class="siglum"[^>]*>⁕<\/a><\/span>\. See/);
