@@ -3,6 +3,7 @@
 import { claims, table, tableEnd, verdict } from './claims.mjs';
 import { escape, said } from './escape.mjs';
 import { field } from './live/fields.mjs';
+import { powers } from './numbers.mjs';
 import { formulasIn, texOf } from './tex.mjs';
 
 export const sigla = { erratum: '⁕', emendation: '†', doubtful: '‡', undecided: '◇' };
@@ -51,7 +52,7 @@ export function reading(entry, tried, formulas, { place = '', home = '' }) {
 }
 
 const defaultOf = (p) =>
-  escape(String(p.default).replace(/^-/, '−').replace(/e([+-]?\d+)$/, ' × 10^$1')) +
+  escape(powers(String(p.default))) +
   (p.unit === '°' ? '°' : p.unit && ` ${escape(p.unit)}`);
 
 /** What a section's program can be given: letter, default, range, meaning; on a live page the default is a field. */
@@ -62,7 +63,7 @@ export function parameters(section, live) {
     (p) =>
       `<tr data-parameter="${p.name}"><th scope="row"><code class="whole">${p.name}</code></th>` +
       `<td${live ? ' class="field"' : ''}>${live ? field(p) : defaultOf(p)}</td>` +
-      `<td class="word range">${escape(p.range)}</td><td class="word">${said(p.meaning)}${
+      `<td class="word range">${escape(powers(p.range))}</td><td class="word">${said(p.meaning)}${
         p.default_at_most ? `; unless given, at most ${escape(p.default_at_most)}` : ''
       }</td></tr>`,
   );

@@ -242,7 +242,7 @@ const made = new Map(); // page to the ids in it
 
 /** Doxygen's pages that the book does without: lists of lists. */
 const spare =
-  /^(?:(?:dir_|functions|globals|namespacem)\w*|.*-members|annotated|classes|files|hierarchy|pages|library_8dox)\.html/;
+  /^(?:(?:dir_|functions|globals|namespacem)[\w~]*|.*-members|annotated|classes|files|hierarchy|pages|library_8dox)\.html/;
 
 for (const file of fs
   .readdirSync(from)

@@ -110,11 +110,22 @@ export function handTyped(line, values) {
   });
 }
 
-export function asText({ word, sign, digits, power, suffix }) {
+const raised = (power) => `10${String(power).replace(/./g, (c) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c] ?? '⁻')}`;
+
+export function asText({ word, sign, digits, power, suffix = '' }) {
   if (word !== undefined) return word;
-  const raised = String(power).replace(/./g, (c) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c] ?? '⁻');
-  return sign + digits + (power === undefined ? '' : ` × 10${raised}`) + (suffix === '%' ? ' %' : suffix);
+  return sign + digits + (power === undefined ? '' : ` × ${raised(power)}`) + (suffix === '%' ? ' %' : suffix);
 }
+
+/** Numbers as a program writes them, among words, as the book writes them: 1e-07 is 10⁻⁷, 2.5e+30 is 2.5 × 10³⁰, 1000000 is 10⁶. */
+export const powers = (words) =>
+  words.replace(/(?<![\w.^-])(-?)(\d+(?:\.\d+)?)(?:e([+-]?\d+))?(?![\w.])/g, (_, minus, mantissa, exponent) => {
+    const noughts = exponent === undefined ? (/^[1-9]\d*?(0{6,})$/.exec(mantissa)?.[1].length ?? 0) : 0;
+    const power = Number(exponent ?? noughts);
+    const digits = noughts ? mantissa.slice(0, -noughts) : mantissa;
+    const sign = minus && '−';
+    return digits === '1' && power ? sign + raised(power) : asText({ sign, digits, power: power || undefined });
+  });
 
 export function asTeX({ word, sign, digits, power, suffix }) {
   if (word !== undefined) return { '∞': '\\infty', '−∞': '-\\infty' }[word] ?? `\\text{${word}}`;

@@ -164,18 +164,30 @@ const guarded = (rule) => (tokens, i, options, page) => {
   }
 };
 const rules = md.renderer.rules;
-rules.math = guarded((token, page) => {
+/** Whether a formula is short, so that it is not broken. */
+const short = ({ content }) =>
+  content.replace(/\\[a-z]?frac|\\sqrt/g, '').replace(/\\[a-zA-Z]+/g, 'xx').replace(/[{}^_\s\\]/g, '').length <= 16;
+const isSign = (token) => token?.type === 'told' && /^\s*entry\s/.test(token.content);
+/** Where the sign of the apparatus stands behind a short formula, with or without a blank: they stay on one line. */
+const signOf = (tokens, i) => {
+  const between = tokens[i + 1];
+  const at = between?.type === 'softbreak' || between?.content === ' ' ? i + 2 : i + 1;
+  return tokens[i]?.type === 'math' && short(tokens[i]) && isSign(tokens[at]) ? at : null;
+};
+rules.math = guarded((token, page, tokens, i) => {
   const stop = token.meta; // it stays on the line: a short formula is not broken, of a long one it is the end
-  const letters = token.content.replace(/\\[a-z]?frac|\\sqrt/g, '').replace(/\\[a-zA-Z]+/g, 'xx').replace(/[{}^_\s\\]/g, '');
-  const short = letters.length <= 16;
-  const formula = page.mathematics(token.content, false, token.line, short ? '' : stop);
-  return stop && short ? `<span class="stopped">${formula}${stop}</span>` : formula;
+  const formula = page.mathematics(token.content, false, token.line, short(token) ? '' : stop);
+  if (signOf(tokens, i)) return `<span class="stopped">${formula}${stop}`; // which the sign ends
+  return stop && short(token) ? `<span class="stopped">${formula}${stop}</span>` : formula;
 });
-rules.told = guarded((token, page) => page.refer(token.content.replaceAll('\\|', '|').trim(), token.meta));
+rules.told = guarded((token, page, tokens, i) => {
+  const ends = signOf(tokens, i - 1) === i || signOf(tokens, i - 2) === i;
+  return page.refer(token.content.replaceAll('\\|', '|').trim(), token.meta) + (ends ? '</span>' : '');
+});
 /** A unit behind a told number stays on its line. */
 const unitBehind = (tokens, i, content) => tokens[i - 1]?.type === 'told' && /^ ?(?:s|ft|1\/s)(?!\p{L})/u.test(content ?? '');
 /** So does a sign of the apparatus behind its word. */
-const signBehind = (tokens, i) => tokens[i + 1]?.type === 'told' && /^\s*entry\s/.test(tokens[i + 1].content);
+const signBehind = (tokens, i) => isSign(tokens[i + 1]);
 /** And so do the number of a section and its sign, and both sides of a ratio of numbers. */
 const together = (content) => content.replace(/(§) (?=\d)/g, '$1\u00a0').replace(/(\d) : (?=\d)/g, '$1\u00a0:\u00a0');
 rules.text = (tokens, i) => {
@@ -199,8 +211,12 @@ rules.division = guarded((token, page, tokens, i) => {
 });
 rules.table_open = () => '<div class="table words" tabindex="0" role="group" aria-label="Table">\n<table>\n';
 rules.table_close = () => '</table>\n</div>\n';
-rules.code_inline = (tokens, i) =>
-  `<code${tokens[i].content.length < 30 ? ' class="whole"' : ''}>${escape(tokens[i].content)}</code>`;
+/** Code: what is short is not broken, and an option not behind its dashes. */
+rules.code_inline = (tokens, i) => {
+  const { content } = tokens[i];
+  if (content.length < 30) return `<code class="whole">${escape(content)}</code>`;
+  return `<code>${escape(content).replace(/--\w+/g, '<span class="stopped">$&</span>')}</code>`;
+};
 rules.heading_open = (tokens, i) => `<${tokens[i].tag} id="${slug(tokens[i + 1].content)}">`;
 rules.heading_close = (tokens, i) => `${anchor(slug(tokens[i - 1].content))}</${tokens[i].tag}>\n`;
 rules.fence = (tokens, i) =>

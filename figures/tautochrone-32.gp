@@ -20,7 +20,7 @@ plot file using "y":(of(0)) with lines linetype 6, \
      file using "y":(of(2)) with lines linetype 2, \
      file index 2 every ::60::60 using "y":"x" with points linetype 2, \
      file index 3 every ::59::59 using "y":"x" with points linetype 1, \
-     file index 2 every ::60::60 using "y":"x":("Euler") with labels left offset -1.2, 1.0 textcolor linetype 2, \
+     file index 2 every ::60::60 using "y":"x":("Euler") with labels left offset 0.6, 0.9 textcolor linetype 2, \
      file index 3 every ::59::59 using "y":"x":("exact") with labels right offset -0.8, 0.3 textcolor linetype 1, \
      file index 0 every ::43::43 using "y":"x":("circle") with labels left offset 0.8, -0.7 textcolor linetype 6, \
      file index 1 every ::31::31 using "y":"x":("cycloid") with labels right offset -1.6, 0 textcolor linetype 3

@@ -15,7 +15,7 @@ The force $P$ in $Z$ is now chosen so that it does the same as gravity; then the
 the one that gravity causes on a thread. The gravity of the body is its weight $M$, which pulls straight
 down in the centre of gravity $G$; let the vertical line $GV$ represent it. Nothing more is needed than
 that the moment of $P$ about the place of suspension $M$ be equal to the moment of gravity about it. The
-angle between $GV$ and the line $MG$ produced is φ, and so
+angle between $GV$ and the line $MG$ produced is $\varphi$, and so
 
 $$ \begin{gathered} M\cdot MG\cdot\sin\varphi = P\cdot MZ \quad\text{or} \\
   P = \frac{M(a-s)\sin\varphi}{a-s+b}. \end{gathered} \tag{1} $$

@@ -33,7 +33,7 @@ differential, since the change of $(a-s)^2$ is $-2(a-s)\,ds$; so
 $$ \begin{aligned} (a-s)^2d\varphi^2 &+ kk\,d\varphi^2 \\
   &= C\,dt^2{{entry lost_C}} - dt^2\!\int(a-s)\,d\varphi\sin\varphi. \end{aligned} \tag{4} $$
 
-Since the cheek $AMB$ is taken as given, the relation between $s$ and φ is known, and with it the
+Since the cheek $AMB$ is taken as given, the relation between $s$ and $\varphi$ is known, and with it the
 integral on the right; let it be so taken that it vanishes with $s$, where also $\varphi = 0$. Then
 
 $$ dt = \frac{d\varphi\sqrt{kk + (a-s)^2}}{\sqrt{C - \int(a-s)\,d\varphi\sin\varphi}}. \tag{5} $$
@@ -181,7 +181,7 @@ gets back all of it.
 ## Speed against error
 
 $d\varphi/dt$ at one place, by the integral and by steps of {{eq 3}} from the turning point on. As the
-time is not asked for, the steps are made in φ: with $w = d\varphi^2:dt^2$ it is $dw = d\varphi\cdot
+time is not asked for, the steps are made in $\varphi$: with $w = d\varphi^2:dt^2$ it is $dw = d\varphi\cdot
 2dd\varphi/dt^2$.
 */
 

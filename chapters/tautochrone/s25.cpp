@@ -16,7 +16,7 @@ using namespace tautochrone;
 /*!
 ## What Euler does
 
-With the angle φ in place of $x$ and $z$ the equation of the tautochrone gets two variables and first
+With the angle $\varphi$ in place of $x$ and $z$ the equation of the tautochrone gets two variables and first
 differentials, but even so they cannot be separated. For since $d\varphi = dz/r$, one has
 
 $$ \begin{gathered} dz = r\,d\varphi, \quad dx = r\,d\varphi\sin\varphi, \\
@@ -44,7 +44,7 @@ out here.
 
 That $r = a$ for $\varphi = 0$ seems to choose one solution. It does not. For $\varphi = 0$ {{eq 4}}
 leaves $dr$ undetermined, and demands only $r = a$ or $r = kk/a$. If $k < a$, infinitely many solutions
-leave the place $r = a$ together, and differ by multiples of φ to the power $(aa-kk)/kk$. Each is a
+leave the place $r = a$ together, and differ by multiples of $\varphi$ to the power $(aa-kk)/kk$. Each is a
 tautochrone for the same body, with the same time, as far as its cheek goes: to where $dr = 0$. Two have
 their ends in finite terms. The one that lets the pendulum rise highest ends at
 

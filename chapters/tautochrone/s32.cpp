@@ -58,7 +58,7 @@ $$ \begin{aligned} y = \tfrac12a\varphi &+ \tfrac12a\sin\varphi\cos\varphi +
   &+ \frac{2k^4\sin\varphi}{5a^3\cos^3\varphi{{entry powers_in_y}}} +
   \frac{4k^4\sin\varphi}{5a^3\cos\varphi}. \end{aligned} \tag{9} $$
 
-So for any angle φ the coordinates $x$ and $y$ of the tautochrone can be assigned, and the curve $CG$
+So for any angle $\varphi$ the coordinates $x$ and $y$ of the tautochrone can be assigned, and the curve $CG$
 that was sought can be constructed by points.
 
 ::: margin
@@ -66,7 +66,7 @@ $l\tan(45^\circ+\tfrac12\varphi)$ is today's inverse Gudermannian function,
 $\operatorname{arsinh}\tan\varphi$.
 :::
 
-The constants in {{eq 8}} have been so chosen that $x$ vanishes in $C$, where φ does; for the others no
+The constants in {{eq 8}} have been so chosen that $x$ vanishes in $C$, where $\varphi$ does; for the others no
 constant is needed. The left-over constants of {{eq 3}} and {{eq 5}} are not written: from $\varphi = 0$
 they would be $-\tfrac12$ and $\tfrac1{12}$.
 

@@ -235,9 +235,13 @@ const mean = await ask('arithmetic-geometric mean');
 const firstOfLibrary = mean.findIndex((to) => /^(namespace|class|struct|concept|.*_8hpp)/.test(to));
 if (!mean.length || (firstOfLibrary >= 0 && mean.slice(firstOfLibrary).some((to) => /-\d\d\.html$/.test(to))))
   faults.push(`the search puts the library before the sections: ${mean}`);
-const [phrase, words] = [await ask('"rule of the sagitta"'), await ask('rule of the sagitta')];
-if (!phrase.length || phrase.length >= words.length)
-  faults.push(`a phrase finds ${phrase.length} pages, its words ${words.length}`);
+const [phrase, turned, words] = [
+  await ask('"swings in the same time"'),
+  await ask('"time in the same swings"'),
+  await ask('swings in the same time'),
+];
+if (!phrase.length || turned.length || words.length <= phrase.length)
+  faults.push(`a phrase finds ${phrase.length} pages, its words ${words.length}, and turned round ${turned.length}`);
 
 // The keys, the explanation of a number, what is copied.
 await open('pendulum-11.html');

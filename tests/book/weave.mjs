@@ -6,7 +6,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { asTeX, asText, format } from '../../book/numbers.mjs';
+import { asTeX, asText, format, powers } from '../../book/numbers.mjs';
 import { palette } from '../../book/figure.mjs';
 import { packages } from '../../book/packages.mjs';
 import { blocks, named } from '../../book/section.mjs';
@@ -692,6 +692,30 @@ test('numbers are rounded on their decimals and written as prose and as mathemat
   );
   assert.equal(asTeX(format({ value: -0.00001, unit: '' }, 'e2')), '-1.0\\times10^{-5}');
   assert.equal(format({ value: 1, unit: '' }, 'x'), null);
+});
+
+test('an option is not broken behind its dashes', () => {
+  const call = '`pendulum-11 --x 0.000000001 --check`';
+  const { page } = weave((files) => files.replace('s11.cpp', 'He finds a third', `He finds ${call}, a third`));
+  assert.match(page(), /<code>pendulum-11 <span class="stopped">--x<\/span> 0\.0+1 <span class="stopped">--check<\/span><\/code>/);
+});
+
+test('a sign of the apparatus stays on the line of its formula', () => {
+  const { page } = weave((files) => files.replace('s11.cpp', 'He finds a third {{entry', 'He finds $\\tfrac13$ {{entry'));
+  assert.match(page(), /He finds <span class="stopped"><span class="katex">[^]*?<\/span>\u00a0<a class="siglum"[^>]*>⁕<\/a><\/span>\. See/);
+});
+
+test('a range is written with powers of ten, as the numbers are', () => {
+  for (const [told, written] of [
+    ['1e-10 ft ≤ b ≤ 10000000000 ft', '10⁻¹⁰ ft ≤ b ≤ 10¹⁰ ft'],
+    ['-1e+12° ≤ Phi ≤ 1e+12°', '−10¹²° ≤ Phi ≤ 10¹²°'],
+    ['1e-06 1/s ≤ theta_rate < 2000000 1/s²', '10⁻⁶ 1/s ≤ theta_rate < 2 × 10⁶ 1/s²'],
+    ['5.72957795131e-299° ≤ omega < 90°', '5.72957795131 × 10⁻²⁹⁹° ≤ omega < 90°'],
+    ['-0.25 ≤ x1 < 100000', '−0.25 ≤ x1 < 100000'],
+    ['a whole number from 0 to 1000000', 'a whole number from 0 to 10⁶'],
+  ])
+    assert.equal(powers(told), written);
+  assert.match(weave().page(), /<td class="word range">10⁻¹⁰⁰ ≤ x ≤ 10¹⁰⁰<\/td>/);
 });
 
 test('a column of numbers that were typed shows them so, one of results all its digits', () => {
