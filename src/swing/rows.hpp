@@ -54,6 +54,14 @@ struct Ratio_by_eta
   static constexpr bool down_to_subnormal = true;              ///< whether x may be as small as that
 };
 
+/// A table of which an x is asked that is not as small as the smallest: it is found by less.
+template <class Table>
+struct Not_tiny : Table
+{
+  static constexpr bool down_to_subnormal = false;  ///< whether x may be as small as that
+  static constexpr double least = 0x1p-100;         ///< the smallest x of those below the rows
+};
+
 /// How far the bits of x lie beyond those of the table's start: of the numbers that have a row at most
 /// `reach`, of all others more. Here as in what follows, x is a double or several side by side.
 template <class Table, class Number>
@@ -133,8 +141,9 @@ SWING_INLINE Number small_of(Number x)
 {
   if constexpr(!Table::squared)
     return x;
-  const Number y = x > 0x1p-100 ? x : Number{} + 0x1p-100;
-  return y * y;
+  if constexpr(Table::down_to_subnormal)
+    x = x > 0x1p-100 ? x : Number{} + 0x1p-100;
+  return x * x;
 }
 
 /// An argument below the rows, as a mantissa and a power of two.

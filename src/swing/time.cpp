@@ -72,24 +72,39 @@ SWING_INLINE rows::Sum<double> below(Argument a)
                      s.halvings, rows::small_of<Table>(a.x));
 }
 
+double rounded(const rows::Sum<double>& sum)
+{
+  return sum.main + sum.rest;
+}
+
+// Whether x stands below the rows and is not tiny.
+template <class Table>
+SWING_INLINE bool plainly_below(double x)
+{
+  constexpr auto least = __builtin_bit_cast(std::uint64_t, rows::Not_tiny<Table>::least);
+  return bits::bits_of(x) - least < __builtin_bit_cast(std::uint64_t, Table::start) - least;
+}
+
+// Asks for what is read below the rows: with cold caches it comes while the code is still waited for.
+template <class Table>
+SWING_INLINE void expect_below()
+{
+  const auto& f = bits::as_stored(Table::stored);
+  for(const double* line = &f.zero; line < f.rows[0]; line += 8)
+    __builtin_prefetch(line);
+}
+
 // Infinite at zero, NaN where there is no value.
 double out_of_domain(double x)
 {
   return x == 0 ? inf : nan;
 }
 
-double rounded(const rows::Sum<double>& sum)
-{
-  return sum.main + sum.rest;
-}
-
-// Of the table's function for any x that has no row.
+// Of the table's function for an x that is tiny or has no value.
 template <class Table, class Argument>
-SWING_INLINE double rounded_value_outside(Argument a)
+[[gnu::noinline]] double rounded_value_elsewhere(Argument a)
 {
-  if(!(a.x > 0 && bits::bits_of(a.x) < __builtin_bit_cast(std::uint64_t, Table::start)))
-    return out_of_domain(a.x);
-  return rounded(below<Table>(a));
+  return a.x > 0 && a.x < Table::start ? rounded(below<Table>(a)) : out_of_domain(a.x);
 }
 
 // And for any x.
@@ -98,7 +113,16 @@ SWING_INLINE double rounded_value(Argument a)
 {
   if(rows::beyond_start<Table>(a.x) <= rows::reach<Table>) [[likely]]
     return rounded(looked_up<Table>(a));
-  return rounded_value_outside<Table>(a);
+  expect_below<Table>();
+  if(plainly_below<Table>(a.x)) [[likely]]
+    return rounded(below<rows::Not_tiny<Table>>(a));
+  return rounded_value_elsewhere<Table>(a);
+}
+
+// K of a modulus that is negative or has no value.
+[[gnu::noinline]] double K_elsewhere(double k)
+{
+  return std::signbit(k) ? K(-k) : out_of_domain(1 - k);
 }
 
 void same_length(std::span<const double> in, std::span<double> out)
@@ -237,7 +261,10 @@ double K(double k)
     const double* const c = Table::stored.rows[place.row];
     return rounded(value_of_row(c, place.x - c[0]));
   }
-  return std::signbit(k) ? K(-k) : rounded_value_outside<Table>(Exact{x});
+  expect_below<Table>();
+  if(plainly_below<Table>(x)) [[likely]]
+    return rounded(below<rows::Not_tiny<Table>>(Exact{x}));
+  return K_elsewhere(k);
 }
 
 double K_from_complement(double kc)

@@ -74,10 +74,9 @@ std::vector<race::Timing> run(const std::vector<Entrant>& entrants, std::span<co
   for(int round = 0; round < rounds; ++round)
   {
     std::vector<std::vector<double>> of(all.size());
-    for(std::size_t call = 0; call < calls; ++call)
-    {
-      std::shuffle(order.begin(), order.end(), dice);
-      for(std::size_t i : order)
+    std::shuffle(order.begin(), order.end(), dice);
+    for(std::size_t i : order)
+      for(std::size_t call = 0; call < calls; ++call)
       {
         const double x = arguments[next++ % arguments.size()];
         touch(memory);
@@ -87,7 +86,6 @@ std::vector<race::Timing> run(const std::vector<Entrant>& entrants, std::span<co
         race::keep(y);
         of[i].push_back(static_cast<double>(end - start) * unit);
       }
-    }
     for(std::size_t i = 0; i < all.size(); ++i)
       times[i].push_back(race::median(of[i]));
     for(std::size_t i = 1; i < all.size(); ++i)
