@@ -43,13 +43,14 @@ struct K_by_complement
   static constexpr bool down_to_subnormal = true;                 ///< whether x may be as small as that
 };
 
-/// T/Θ by x = η.
+/// T/Θ by x = η. For all η from 3/2 on there is one row, which holds ζ² = (π − η)².
 struct Ratio_by_eta
 {
   static constexpr const auto& stored = tables::ratio_by_eta;  ///< all that is read
   static constexpr double start = 0x1p-7;                      ///< the first x that has a row
   static constexpr double last = pi_hi;                        ///< where the domain ends
-  static constexpr unsigned shift = 49;                        ///< of the bits that tell the row
+  static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
+  static constexpr std::uint64_t from_three_halves = 30;       ///< the row for all η from 3/2 on
   static constexpr bool squared = true;                        ///< whether z is x²; else it is x
   static constexpr bool down_to_subnormal = true;              ///< whether x may be as small as that
 };
@@ -107,6 +108,58 @@ SWING_INLINE auto place_of_modulus(Number k, Number x)
   return Place<decltype(bits_of(x)), Number>{
       chosen(past_half, beyond >> Table::shift, 0 * beyond + Table::up_to_half),
       from_bits(chosen(past_half, bits_of(k), bits_of(k * k)))};
+}
+
+/// How far a pendulum swings, from the top and from the bottom, each with what it lacks. From the bottom it is
+/// only asked where η ≥ 3/2, from the top, what it lacks, only where η < 3/2.
+template <class Number>
+struct Angles
+{
+  Number eta;        ///< from the top
+  Number eta_rest;   ///< what that lacks
+  Number zeta;       ///< from the bottom
+  Number zeta_rest;  ///< what that lacks
+};
+
+/// Of η, which is exact.
+template <class Number>
+SWING_INLINE Angles<Number> from_top(Number eta)
+{
+  return {eta, Number{}, pi_hi - eta, Number{} + pi_lo};
+}
+
+/// Of ζ, which is exact, with the two parts of π.
+template <class Number>
+SWING_INLINE Angles<Number> from_bottom(Number zeta, double half_turn, double beyond)
+{
+  const Number nearly = half_turn - zeta;  // exact where η < 3/2
+  const Number eta = nearly + beyond;
+  return {eta, (nearly - eta) + beyond, zeta, Number{}};
+}
+
+/// A row, and a number as the sum of two, whose distance from its centre is asked for.
+template <class Bits, class Number>
+struct Place_of_sum
+{
+  Bits row;     ///< which
+  Number x;     ///< the number
+  Number rest;  ///< what it lacks
+};
+
+/// The place of an amplitude whose η has a row. Of ζ the upper half is squared, which is exact.
+template <class Number>
+SWING_INLINE auto place_of_angles(const Angles<Number>& a)
+{
+  using Table = Ratio_by_eta;
+  constexpr std::uint64_t edge = Table::from_three_halves << Table::shift;
+  const auto beyond = beyond_start<Table>(a.eta);
+  const auto near_top = 0 - ((beyond - edge) >> 63);
+  const Number upper = from_bits(bits_of(a.zeta) & 0xfffffffff8000000);
+  const Number rest = (upper + a.zeta) * ((a.zeta - upper) + a.zeta_rest);
+  return Place_of_sum<decltype(bits_of(a.eta)), Number>{
+      chosen(near_top, beyond >> Table::shift, 0 * beyond + Table::from_three_halves),
+      from_bits(chosen(near_top, bits_of(a.eta), bits_of(upper * upper))),
+      from_bits(chosen(near_top, bits_of(a.eta_rest), bits_of(rest)))};
 }
 
 /// A value as a sum, the second part being small beside the first.

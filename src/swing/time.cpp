@@ -53,12 +53,20 @@ SWING_INLINE rows::Sum<double> value_of_row(const double* c, double t)
 }
 
 // What the rows say of x, x having one.
-template <class Table, class Argument>
-SWING_INLINE rows::Sum<double> looked_up(Argument a)
+template <class Table>
+SWING_INLINE rows::Sum<double> looked_up(double x)
 {
-  const auto place = rows::place_of<Table>(a.x);
+  const auto place = rows::place_of<Table>(x);
   const double* const c = Table::stored.rows[place.row];
-  return value_of_row(c, a.moved(place.x - c[0], 1));
+  return value_of_row(c, place.x - c[0]);
+}
+
+// The same of T/Θ, η having a row.
+SWING_INLINE rows::Sum<double> looked_up(const rows::Angles<double>& a)
+{
+  const auto place = rows::place_of_angles(a);
+  const double* const c = rows::Ratio_by_eta::stored.rows[place.row];
+  return value_of_row(c, (place.x - c[0]) + place.rest);
 }
 
 // And what the logarithm and its series say of x below them.
@@ -107,16 +115,23 @@ template <class Table, class Argument>
   return a.x > 0 && a.x < Table::start ? rounded(below<Table>(a)) : out_of_domain(a.x);
 }
 
-// And for any x.
+// And for any x that has no row.
 template <class Table, class Argument>
-SWING_INLINE double rounded_value(Argument a)
+SWING_INLINE double rounded_value_below(Argument a)
 {
-  if(rows::beyond_start<Table>(a.x) <= rows::reach<Table>) [[likely]]
-    return rounded(looked_up<Table>(a));
   expect_below<Table>();
   if(plainly_below<Table>(a.x)) [[likely]]
     return rounded(below<rows::Not_tiny<Table>>(a));
   return rounded_value_elsewhere<Table>(a);
+}
+
+// T/Θ of any angles.
+SWING_INLINE double rounded_ratio(const rows::Angles<double>& a)
+{
+  using Table = rows::Ratio_by_eta;
+  if(rows::beyond_start<Table>(a.eta) <= rows::reach<Table>) [[likely]]
+    return rounded(looked_up(a));
+  return rounded_value_below<Table>(Inexact{a.eta, a.eta_rest});
 }
 
 // K of a modulus that is negative or has no value.
@@ -269,7 +284,10 @@ double K(double k)
 
 double K_from_complement(double kc)
 {
-  return rounded_value<rows::K_by_complement>(Exact{kc});
+  using Table = rows::K_by_complement;
+  if(rows::beyond_start<Table>(kc) <= rows::reach<Table>) [[likely]]
+    return rounded(looked_up<Table>(kc));
+  return rounded_value_below<Table>(Exact{kc});
 }
 
 double quarter_time_from_top(double eta)
@@ -278,7 +296,7 @@ double quarter_time_from_top(double eta)
     return out_of_domain(eta);
   using Table = rows::Ratio_by_eta;
   const rows::Sum<double> ratio =
-      eta >= Table::start ? looked_up<Table>(Exact{eta}) : below<Table>(Exact{eta});
+      eta >= Table::start ? looked_up(rows::from_top(eta)) : below<Table>(Exact{eta});
   const Twofold K = product_of(ratio.main, pi_hi / 2);
   return K.hi + (K.lo + (ratio.main * (pi_lo / 2) + ratio.rest * (pi_hi / 2)));
 }
@@ -290,23 +308,25 @@ double quarter_time(Amplitude a)
 
 double ratio_from_top(double eta)
 {
-  return rounded_value<rows::Ratio_by_eta>(Exact{eta});
+  return rounded_ratio(rows::from_top(eta));
 }
 
 double ratio_from_bottom(double zeta)
 {
-  if(!(zeta >= 0 && zeta <= pi_hi))
-    return nan;
-  const double half_turn = bits::made(pi_hi), beyond = bits::made(pi_lo);
-  const double nearly = half_turn - zeta;
-  const double eta = nearly + beyond;
-  const double lost = (half_turn - nearly) - zeta;
-  return rounded_value<rows::Ratio_by_eta>(Inexact{eta, (nearly - eta) + (lost + beyond)});
+  using Table = rows::Ratio_by_eta;
+  constexpr double last = pi_hi - Table::start;  // whose η has a row
+  const rows::Angles<double> a = rows::from_bottom(zeta, bits::made(pi_hi), bits::made(pi_lo));
+  if(bits::bits_of(zeta) <= bits::bits_of(last)) [[likely]]
+    return rounded(looked_up(a));
+  expect_below<Table>();
+  if(bits::bits_of(zeta) <= bits::bits_of(pi_hi)) [[likely]]
+    return rounded(below<rows::Not_tiny<Table>>(Inexact{a.eta, a.eta_rest}));
+  return zeta == 0 ? ratio_from_bottom(0) : nan;
 }
 
 double ratio(Amplitude a)
 {
-  return rounded_value<rows::Ratio_by_eta>(Inexact{a.eta, a.eta_rest});
+  return rounded_ratio({a.eta, a.eta_rest, a.zeta, a.zeta_rest});
 }
 
 // Up to 90° by a polynomial in ζ²; beyond, where the excess is no longer small, a subtraction costs three

@@ -16,7 +16,9 @@ namespace bench::cold
 namespace
 {
 
-constexpr std::size_t calls = 150;  // of each entrant in a round
+constexpr std::size_t runs = 25;      // of each entrant in a round
+constexpr std::size_t uncounted = 2;  // calls at the beginning of a run
+constexpr std::size_t counted = 6;    // calls that follow
 
 using Clock = std::chrono::steady_clock;
 
@@ -74,18 +76,22 @@ std::vector<race::Timing> run(const std::vector<Entrant>& entrants, std::span<co
   for(int round = 0; round < rounds; ++round)
   {
     std::vector<std::vector<double>> of(all.size());
-    std::shuffle(order.begin(), order.end(), dice);
-    for(std::size_t i : order)
-      for(std::size_t call = 0; call < calls; ++call)
-      {
-        const double x = arguments[next++ % arguments.size()];
-        touch(memory);
-        const std::uint64_t start = ticks();
-        const double y = all[i].one(x);
-        const std::uint64_t end = ticks();
-        race::keep(y);
-        of[i].push_back(static_cast<double>(end - start) * unit);
-      }
+    for(std::size_t run = 0; run < runs; ++run)
+    {
+      std::shuffle(order.begin(), order.end(), dice);
+      for(std::size_t i : order)
+        for(std::size_t call = 0; call < uncounted + counted; ++call)
+        {
+          const double x = arguments[next++ % arguments.size()];
+          touch(memory);
+          const std::uint64_t start = ticks();
+          const double y = all[i].one(x);
+          const std::uint64_t end = ticks();
+          race::keep(y);
+          if(call >= uncounted)
+            of[i].push_back(static_cast<double>(end - start) * unit);
+        }
+    }
     for(std::size_t i = 0; i < all.size(); ++i)
       times[i].push_back(race::median(of[i]));
     for(std::size_t i = 1; i < all.size(); ++i)

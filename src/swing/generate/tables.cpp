@@ -462,7 +462,9 @@ void write_functions()
                      [](const Fifty& kc) { return kc * kc; },
                      [=](const Fifty& kc) { return two_over_pi * oracle::K(kc); }));
   Rows ratio;
-  add_octaves(ratio, oracle::ratio_from_top, 8, -7, 3.1415926535897931);
+  add_octaves(ratio, oracle::ratio_from_top, 4, -7, 1.4);
+  ratio.add([](const Fifty& z) { return oracle::ratio_from_bottom(sqrt(z)); }, Fifty(0),
+            (exact::pi() - Fifty(1.5)) * (exact::pi() - Fifty(1.5)));
   write_function("ratio_by_eta", "T/Θ by η: eight rows to an octave; below 2^-7 λ = (2/π) ln(8/η), z = η²",
                  ratio, 3, logarithm(two_over_pi),
                  below(
