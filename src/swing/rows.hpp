@@ -19,15 +19,16 @@ namespace swing::rows
 using bits::bits_of;
 using bits::from_bits;
 
-/// K by k, down to the last k below 1. The row is found by x = 1 − k, and holds k itself; for all k up to ½
-/// there is one, which holds k².
+/// K by k, down to the last k below 1. The row is found by x = 1 − k, and holds k itself; for all k up to
+/// 37/64 there is one, which holds k².
 struct K_by_modulus
 {
   static constexpr const auto& stored = tables::K_by_modulus;  ///< all that is read
   static constexpr double start = 0x1p-9;                      ///< the first x that has a row
   static constexpr double last = 1;                            ///< where the domain ends
   static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
-  static constexpr std::uint64_t up_to_half = 32;              ///< the row for all k up to ½
+  static constexpr std::uint64_t of_square = 31;               ///< the row for all k up to 37/64
+  static constexpr double square_from = 27.0 / 64;             ///< the first x that has it
   static constexpr bool squared = false;                       ///< whether z is x²; else it is x
   static constexpr bool down_to_subnormal = false;             ///< whether x may be as small as that
 };
@@ -43,14 +44,15 @@ struct K_by_complement
   static constexpr bool down_to_subnormal = true;                 ///< whether x may be as small as that
 };
 
-/// T/Θ by x = η. For all η from 3/2 on there is one row, which holds ζ² = (π − η)².
+/// T/Θ by x = η. For all η from 25/16 on there is one row, which holds ζ² = (π − η)².
 struct Ratio_by_eta
 {
   static constexpr const auto& stored = tables::ratio_by_eta;  ///< all that is read
   static constexpr double start = 0x1p-7;                      ///< the first x that has a row
   static constexpr double last = pi_hi;                        ///< where the domain ends
   static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
-  static constexpr std::uint64_t from_three_halves = 30;       ///< the row for all η from 3/2 on
+  static constexpr std::uint64_t of_square = 31;               ///< the row for all η from 25/16 on
+  static constexpr double square_from = 25.0 / 16;             ///< the first x that has it
   static constexpr bool squared = true;                        ///< whether z is x²; else it is x
   static constexpr bool down_to_subnormal = true;              ///< whether x may be as small as that
 };
@@ -97,21 +99,47 @@ SWING_INLINE auto place_of(Number x)
   return Place<decltype(bits_of(x)), Number>{beyond_start<Table>(x) >> Table::shift, x};
 }
 
+/// A row that may be one of a square, and what is needed of the distance from its centre.
+template <class Bits, class Number>
+struct Place_in_square
+{
+  Bits row;     ///< which
+  Number x;     ///< the number
+  Number part;  ///< the same in a row of a square, zero in others
+};
+
+/// A row, and a number as the sum of two.
+template <class Bits, class Number>
+struct Place_of_sum
+{
+  Bits row;     ///< which
+  Number x;     ///< the number
+  Number rest;  ///< what it lacks
+};
+
+/// All bits set where a row is not that of a square, from what beyond_start() says.
+template <class Table, class Bits>
+SWING_INLINE Bits not_of_square(Bits beyond)
+{
+  constexpr std::uint64_t edge = __builtin_bit_cast(std::uint64_t, Table::square_from)
+                                 - __builtin_bit_cast(std::uint64_t, Table::start);
+  return 0 - ((beyond - edge) >> 63);
+}
+
 /// The place of a modulus, x = 1 − k having a row.
 template <class Number>
 SWING_INLINE auto place_of_modulus(Number k, Number x)
 {
   using Table = K_by_modulus;
-  constexpr std::uint64_t half = Table::up_to_half << Table::shift;
   const auto beyond = beyond_start<Table>(x);
-  const auto past_half = 0 - ((beyond - half) >> 63);
-  return Place<decltype(bits_of(x)), Number>{
-      chosen(past_half, beyond >> Table::shift, 0 * beyond + Table::up_to_half),
-      from_bits(chosen(past_half, bits_of(k), bits_of(k * k)))};
+  const auto plain = not_of_square<Table>(beyond);
+  return Place_in_square<decltype(bits_of(x)), Number>{
+      chosen(plain, beyond >> Table::shift, 0 * beyond + Table::of_square), k,
+      from_bits(bits_of(k) & ~plain)};
 }
 
-/// How far a pendulum swings, from the top and from the bottom, each with what it lacks. From the bottom it is
-/// only asked where η ≥ 3/2, from the top, what it lacks, only where η < 3/2.
+/// How far a pendulum swings, from the top and from the bottom, each with what it lacks. From the bottom it is only
+/// asked where η ≥ 25/16, and what η lacks only where it is less.
 template <class Number>
 struct Angles
 {
@@ -125,41 +153,35 @@ struct Angles
 template <class Number>
 SWING_INLINE Angles<Number> from_top(Number eta)
 {
-  return {eta, Number{}, pi_hi - eta, Number{} + pi_lo};
+  const Number nearly = pi_hi - eta;
+  return {eta, Number{}, nearly, ((pi_hi - nearly) - eta) + pi_lo};
 }
 
 /// Of ζ, which is exact, with the two parts of π.
 template <class Number>
 SWING_INLINE Angles<Number> from_bottom(Number zeta, double half_turn, double beyond)
 {
-  const Number nearly = half_turn - zeta;  // exact where η < 3/2
+  const Number nearly = half_turn - zeta;  // exact where η < 25/16
   const Number eta = nearly + beyond;
   return {eta, (nearly - eta) + beyond, zeta, Number{}};
 }
 
-/// A row, and a number as the sum of two, whose distance from its centre is asked for.
-template <class Bits, class Number>
-struct Place_of_sum
-{
-  Bits row;     ///< which
-  Number x;     ///< the number
-  Number rest;  ///< what it lacks
-};
+/// To be added and taken away again: rounds to a multiple of 2⁻²⁵, whose square is exact.
+inline constexpr double to_upper = 0x1.8p27;
 
-/// The place of an amplitude whose η has a row. Of ζ the upper half is squared, which is exact.
+/// The place of angles whose η has a row. Of ζ the upper half is squared.
 template <class Number>
-SWING_INLINE auto place_of_angles(const Angles<Number>& a)
+SWING_INLINE auto place_of_angles(const Angles<Number>& a, double upwards = to_upper)
 {
   using Table = Ratio_by_eta;
-  constexpr std::uint64_t edge = Table::from_three_halves << Table::shift;
   const auto beyond = beyond_start<Table>(a.eta);
-  const auto near_top = 0 - ((beyond - edge) >> 63);
-  const Number upper = from_bits(bits_of(a.zeta) & 0xfffffffff8000000);
+  const auto plain = not_of_square<Table>(beyond);
+  const Number upper = (a.zeta + upwards) - upwards;
   const Number rest = (upper + a.zeta) * ((a.zeta - upper) + a.zeta_rest);
   return Place_of_sum<decltype(bits_of(a.eta)), Number>{
-      chosen(near_top, beyond >> Table::shift, 0 * beyond + Table::from_three_halves),
-      from_bits(chosen(near_top, bits_of(a.eta), bits_of(upper * upper))),
-      from_bits(chosen(near_top, bits_of(a.eta_rest), bits_of(rest)))};
+      chosen(plain, beyond >> Table::shift, 0 * beyond + Table::of_square),
+      from_bits(chosen(plain, bits_of(a.eta), bits_of(upper * upper))),
+      from_bits(chosen(plain, bits_of(a.eta_rest), bits_of(rest)))};
 }
 
 /// A value as a sum, the second part being small beside the first.
@@ -170,21 +192,24 @@ struct Sum
   Number rest;  ///< what is to be added
 };
 
-/// c₀ + c₁t + … of six coefficients, of which each stands `step` behind the one before.
+/// c₀ + c₁t + … of six coefficients, of which each stands `step` behind the one before; the small is summed first.
 template <unsigned step, class Number>
 SWING_INLINE Number quintic(const Number* c, Number t)
 {
   const Number t2 = t * t;
-  return (c[0] + t * c[step]) + t2 * (c[2 * step] + t * c[3 * step])
-         + (t2 * t2) * (c[4 * step] + t * c[5 * step]);
+  return c[0]
+         + (t * c[step]
+            + (t2 * (c[2 * step] + t * c[3 * step]) + (t2 * t2) * (c[4 * step] + t * c[5 * step])));
 }
 
-/// What a row adds to its value at the distance t from its centre, of what stands above and below in its
-/// quotient.
+/// The value at the distance t from a row's centre, of that there, the slope, and what stands above and below in the
+/// quotient by which the slope differs. What the first sum is rounded by is carried on.
 template <class Number>
-SWING_INLINE Number beyond_centre(Number t, Number above, Number below)
+SWING_INLINE Sum<Number> beyond_centre(Number value, Number slope, Number t, Number above, Number below)
 {
-  return (t * above) / below;
+  const Number step = t * slope;
+  const Number main = value + step;
+  return {main, (step - (main - value)) + t * (above / below)};
 }
 
 /// x² where z is that, or what is as good where that is nothing beside 1: numbers that underflow cost much

@@ -49,7 +49,7 @@ SWING_INLINE rows::Sum<double> value_of_row(const double* c, double t)
   const Pair coefficients[] = {load_pair(c + 2), load_pair(c + 4),  load_pair(c + 6),
                                load_pair(c + 8), load_pair(c + 10), load_pair(c + 12)};
   const Pair both = rows::quintic<1>(coefficients, Pair{t, t});
-  return {c[1], rows::beyond_centre(t, both[0], both[1])};
+  return rows::beyond_centre(c[1], c[15], t, both[0], both[1]);
 }
 
 // What the rows say of x, x having one.
@@ -61,10 +61,18 @@ SWING_INLINE rows::Sum<double> looked_up(double x)
   return value_of_row(c, place.x - c[0]);
 }
 
-// The same of T/Θ, η having a row.
+// The same of K, x = 1 − k having a row.
+SWING_INLINE rows::Sum<double> looked_up(double k, double x)
+{
+  const auto place = rows::place_of_modulus(k, x);
+  const double* const c = rows::K_by_modulus::stored.rows[place.row];
+  return value_of_row(c, (place.x - c[0]) * (place.part + c[14]));
+}
+
+// And of T/Θ, η having a row.
 SWING_INLINE rows::Sum<double> looked_up(const rows::Angles<double>& a)
 {
-  const auto place = rows::place_of_angles(a);
+  const auto place = rows::place_of_angles(a, bits::made(rows::to_upper));
   const double* const c = rows::Ratio_by_eta::stored.rows[place.row];
   return value_of_row(c, (place.x - c[0]) + place.rest);
 }
@@ -100,6 +108,15 @@ SWING_INLINE void expect_below()
   const auto& f = bits::as_stored(Table::stored);
   for(const double* line = &f.zero; line < f.rows[0]; line += 8)
     __builtin_prefetch(line);
+}
+
+// Asks for the row that serves half of all arguments, before it is known whether it is the one that is wanted.
+template <class Table>
+SWING_INLINE void expect_square()
+{
+  const double* const row = bits::as_stored(Table::stored).rows[Table::of_square];
+  __builtin_prefetch(row);
+  __builtin_prefetch(row + 8);
 }
 
 // Infinite at zero, NaN where there is no value.
@@ -269,13 +286,10 @@ double agm(double a, double b)
 double K(double k)
 {
   using Table = rows::K_by_modulus;
+  expect_square<Table>();
   const double x = bits::made(1) - k;
   if(rows::beyond_start<Table>(x) <= rows::reach<Table>) [[likely]]
-  {
-    const auto place = rows::place_of_modulus(k, x);
-    const double* const c = Table::stored.rows[place.row];
-    return rounded(value_of_row(c, place.x - c[0]));
-  }
+    return rounded(looked_up(k, x));
   expect_below<Table>();
   if(plainly_below<Table>(x)) [[likely]]
     return rounded(below<rows::Not_tiny<Table>>(Exact{x}));
@@ -315,6 +329,7 @@ double ratio_from_bottom(double zeta)
 {
   using Table = rows::Ratio_by_eta;
   constexpr double last = pi_hi - Table::start;  // whose η has a row
+  expect_square<Table>();
   const rows::Angles<double> a = rows::from_bottom(zeta, bits::made(pi_hi), bits::made(pi_lo));
   if(bits::bits_of(zeta) <= bits::bits_of(last)) [[likely]]
     return rounded(looked_up(a));
