@@ -175,7 +175,8 @@ enum class Of
 };
 
 // Where the function, of z between a and b, is in the middle between its values at the ends, so that least is to be
-// added; moved until it is very nearly a double: then its value needs no second word. For a product the place is the root.
+// added; moved until it is very nearly a double: then its value needs no second word. For a product the place is the
+// root.
 Centre centre_of(const Function& f, Of of, const Fifty& a, const Fifty& b)
 {
   const Fifty part = of == Of::itself ? Fifty(1) / Fifty(2) : Fifty(0.54);
