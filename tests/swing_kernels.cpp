@@ -115,11 +115,11 @@ std::vector<Kernel> all_kernels()
   const Motion fast = Motion::revolving(2);
   const Motion barely = Motion::revolving(0x1p-40);
   return {
-      of_numbers("K", &kernels::Table::K, arguments(1, 5), 0xb92a1db36087e85e),
+      of_numbers("K", &kernels::Table::K, arguments(1, 5), 0x64ce6ffe39a69ba0),
       of_numbers("K_from_complement", &kernels::Table::K_from_complement, arguments(2, 1070),
-                 0x63a6b7bafe8ea7d4),
-      of_numbers("ratio_from_top", &kernels::Table::ratio_from_top, eta, 0x3ff57c89d8c7b459),
-      of_numbers("ratio_from_bottom", &kernels::Table::ratio, eta, 0xe5b0d6bebdc738eb),
+                 0x4072fa00ffe64f21),
+      of_numbers("ratio_from_top", &kernels::Table::ratio_from_top, eta, 0xe4e117c4c9de478b),
+      of_numbers("ratio_from_bottom", &kernels::Table::ratio, eta, 0xf53fe3fc6aba2972),
       of_times("small angle", small, kernels::angle, 0x926f88e1f6239eef),
       of_times("small velocity", small, kernels::velocity, 0xc07b99198ccbd8ac),
       of_times("small from_top", small, kernels::from_top, 0x4b46be941d423221),

@@ -19,16 +19,17 @@ namespace swing::rows
 using bits::bits_of;
 using bits::from_bits;
 
-/// K by k, down to the last k below 1. The row is found by x = 1 − k, and holds k itself; for all k up to
-/// 37/64 there is one, which holds k².
+/// K by k, down to the last k below 1. The row is found by x = 1 − k, and holds k itself; for all k up to ½
+/// there is one, which holds k².
 struct K_by_modulus
 {
   static constexpr const auto& stored = tables::K_by_modulus;  ///< all that is read
   static constexpr double start = 0x1p-9;                      ///< the first x that has a row
   static constexpr double last = 1;                            ///< where the domain ends
   static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
-  static constexpr std::uint64_t of_square = 31;               ///< the row for all k up to 37/64
-  static constexpr double square_from = 27.0 / 64;             ///< the first x that has it
+  static constexpr std::uint64_t of_square = 32;               ///< the row for all k up to ½
+  static constexpr double square_from = 0.5;                   ///< the first x that has it
+  static constexpr bool sloping = false;                       ///< whether rows have a slope
   static constexpr bool squared = false;                       ///< whether z is x²; else it is x
   static constexpr bool down_to_subnormal = false;             ///< whether x may be as small as that
 };
@@ -38,6 +39,7 @@ struct K_by_complement
 {
   static constexpr const auto& stored = tables::K_by_complement;  ///< all that is read
   static constexpr double start = 0x1p-8;                         ///< the first x that has a row
+  static constexpr bool sloping = false;                          ///< whether rows have a slope
   static constexpr double last = 1;                               ///< where the domain ends
   static constexpr unsigned shift = 49;                           ///< of the bits that tell the row
   static constexpr bool squared = true;                           ///< whether z is x²; else it is x
@@ -53,6 +55,7 @@ struct Ratio_by_eta
   static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
   static constexpr std::uint64_t of_square = 31;               ///< the row for all η from 25/16 on
   static constexpr double square_from = 25.0 / 16;             ///< the first x that has it
+  static constexpr bool sloping = true;                        ///< whether rows have a slope
   static constexpr bool squared = true;                        ///< whether z is x²; else it is x
   static constexpr bool down_to_subnormal = true;              ///< whether x may be as small as that
 };
@@ -99,15 +102,6 @@ SWING_INLINE auto place_of(Number x)
   return Place<decltype(bits_of(x)), Number>{beyond_start<Table>(x) >> Table::shift, x};
 }
 
-/// A row that may be one of a square, and what is needed of the distance from its centre.
-template <class Bits, class Number>
-struct Place_in_square
-{
-  Bits row;     ///< which
-  Number x;     ///< the number
-  Number part;  ///< the same in a row of a square, zero in others
-};
-
 /// A row, and a number as the sum of two.
 template <class Bits, class Number>
 struct Place_of_sum
@@ -133,9 +127,9 @@ SWING_INLINE auto place_of_modulus(Number k, Number x)
   using Table = K_by_modulus;
   const auto beyond = beyond_start<Table>(x);
   const auto plain = not_of_square<Table>(beyond);
-  return Place_in_square<decltype(bits_of(x)), Number>{
-      chosen(plain, beyond >> Table::shift, 0 * beyond + Table::of_square), k,
-      from_bits(bits_of(k) & ~plain)};
+  return Place<decltype(bits_of(x)), Number>{
+      chosen(plain, beyond >> Table::shift, 0 * beyond + Table::of_square),
+      from_bits(chosen(plain, bits_of(k), bits_of(k * k)))};
 }
 
 /// How far a pendulum swings, from the top and from the bottom, each with what it lacks. From the bottom it is only
@@ -192,21 +186,27 @@ struct Sum
   Number rest;  ///< what is to be added
 };
 
-/// c₀ + c₁t + … of six coefficients, of which each stands `step` behind the one before; the small is summed first.
-template <unsigned step, class Number>
+/// c₀ + c₁t + … of six coefficients, of which each stands `step` behind the one before; where it is asked for, the
+/// small is summed first.
+template <unsigned step, bool small_first, class Number>
 SWING_INLINE Number quintic(const Number* c, Number t)
 {
   const Number t2 = t * t;
-  return c[0]
-         + (t * c[step]
-            + (t2 * (c[2 * step] + t * c[3 * step]) + (t2 * t2) * (c[4 * step] + t * c[5 * step])));
+  const Number middle = t2 * (c[2 * step] + t * c[3 * step]);
+  const Number last = (t2 * t2) * (c[4 * step] + t * c[5 * step]);
+  if constexpr(small_first)
+    return c[0] + (t * c[step] + (middle + last));
+  return (c[0] + t * c[step]) + middle + last;
 }
 
 /// The value at the distance t from a row's centre, of that there, the slope, and what stands above and below in the
-/// quotient by which the slope differs. What the first sum is rounded by is carried on.
-template <class Number>
+/// quotient by which the slope differs. What the first sum is rounded by is carried on. Where the table's rows have no
+/// slope the quotient is all: they are quicker, and serve shorter intervals.
+template <class Table, class Number>
 SWING_INLINE Sum<Number> beyond_centre(Number value, Number slope, Number t, Number above, Number below)
 {
+  if constexpr(!Table::sloping)
+    return {value, (t * above) / below};
   const Number step = t * slope;
   const Number main = value + step;
   return {main, (step - (main - value)) + t * (above / below)};

@@ -44,12 +44,13 @@ SWING_INLINE Pair load_pair(const double* c)
 }
 
 // What the row at c says at the distance t from its centre.
+template <class Table>
 SWING_INLINE rows::Sum<double> value_of_row(const double* c, double t)
 {
   const Pair coefficients[] = {load_pair(c + 2), load_pair(c + 4),  load_pair(c + 6),
                                load_pair(c + 8), load_pair(c + 10), load_pair(c + 12)};
-  const Pair both = rows::quintic<1>(coefficients, Pair{t, t});
-  return rows::beyond_centre(c[1], c[15], t, both[0], both[1]);
+  const Pair both = rows::quintic<1, Table::sloping>(coefficients, Pair{t, t});
+  return rows::beyond_centre<Table>(c[1], c[14], t, both[0], both[1]);
 }
 
 // What the rows say of x, x having one.
@@ -58,7 +59,7 @@ SWING_INLINE rows::Sum<double> looked_up(double x)
 {
   const auto place = rows::place_of<Table>(x);
   const double* const c = Table::stored.rows[place.row];
-  return value_of_row(c, place.x - c[0]);
+  return value_of_row<Table>(c, place.x - c[0]);
 }
 
 // The same of K, x = 1 − k having a row.
@@ -66,7 +67,7 @@ SWING_INLINE rows::Sum<double> looked_up(double k, double x)
 {
   const auto place = rows::place_of_modulus(k, x);
   const double* const c = rows::K_by_modulus::stored.rows[place.row];
-  return value_of_row(c, (place.x - c[0]) * (place.part + c[14]));
+  return value_of_row<rows::K_by_modulus>(c, place.x - c[0]);
 }
 
 // And of T/Θ, η having a row.
@@ -74,7 +75,7 @@ SWING_INLINE rows::Sum<double> looked_up(const rows::Angles<double>& a)
 {
   const auto place = rows::place_of_angles(a, bits::made(rows::to_upper));
   const double* const c = rows::Ratio_by_eta::stored.rows[place.row];
-  return value_of_row(c, (place.x - c[0]) + place.rest);
+  return value_of_row<rows::Ratio_by_eta>(c, (place.x - c[0]) + place.rest);
 }
 
 // And what the logarithm and its series say of x below them.

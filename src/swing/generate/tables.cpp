@@ -165,30 +165,18 @@ struct Centre
   double value;
 };
 
-// What a row's z is: x itself, its square as the sum of two numbers, or its square whose distance from the centre's
-// is had as a product, of x − root and x + root.
-enum class Of
-{
-  itself,
-  square,
-  product
-};
-
 // Where the function, of z between a and b, is in the middle between its values at the ends, so that least is to be
-// added; moved until it is very nearly a double: then its value needs no second word. For a product the place is the
-// root.
-Centre centre_of(const Function& f, Of of, const Fifty& a, const Fifty& b)
+// added; moved until it is very nearly a double: then its value needs no second word.
+Centre centre_of(const Function& f, const Fifty& a, const Fifty& b)
 {
-  const Fifty part = of == Of::itself ? Fifty(1) / Fifty(2) : Fifty(0.54);
-  const Fifty middle = place_of(f, f(a) + (f(b) - f(a)) * part, a, b);
+  const Fifty middle = place_of(f, (f(a) + f(b)) / Fifty(2), a, b);
   const Fifty step = (b - a) / Fifty(4096);
   Centre best{};
   double least = 1;
   for(int i = 0; i < 300 && least > 1.0 / 128; ++i)
   {
-    const Fifty z = middle + step * Fifty(i % 2 == 0 ? i / 2 : -(i + 1) / 2);
-    const double place = static_cast<double>(of == Of::product ? Fifty(sqrt(z)) : z);
-    const Fifty exact_value = f(of == Of::product ? Fifty(place) * Fifty(place) : Fifty(place));
+    const double place = static_cast<double>(middle + step * Fifty(i % 2 == 0 ? i / 2 : -(i + 1) / 2));
+    const Fifty exact_value = f(place);
     const double value = static_cast<double>(exact_value);
     const double miss = exact::ulps(value, exact_value);
     if(miss < least)
@@ -225,14 +213,15 @@ generate::Quotient quotient_of(const Function& f, const Fifty& a, const Fifty& b
 // Rows one after another, and the largest error of them, relative to the function.
 struct Rows
 {
-  std::string text;
+  bool sloping = false;
+  std::string text = {};
   Fifty error = 0;
   int count = 0;
 
-  // The row of f for z from a to b: f(z) = value + t (slope + N(t)/D(t)), where t = z − centre, N being small. The
-  // coefficients of N and D stand in pairs. The interval of a square is long: there the slope is a power of two, so
-  // that its product is exact.
-  void add(const Function& f, const Fifty& a, const Fifty& b, Of of = Of::itself)
+  // The row of f for z from a to b: f(z) = value + t (slope + N(t)/D(t)), where t = z − centre. The coefficients of N
+  // and D stand in pairs. Where the rows are sloping N is small; without, the slope is zero. Where the interval is long the
+  // slope is a power of two, so that its product is exact.
+  void add(const Function& f, const Fifty& a, const Fifty& b, bool is_long = false)
   {
     const Fifty middle = (a + b) / Fifty(2);
     std::vector<Fifty> distances;
@@ -244,27 +233,26 @@ struct Rows
     }
     const std::vector<Fifty> fine = generate::through(distances, values);
     const Centre centre =
-        centre_of([&](const Fifty& z) { return generate::value(fine, z - middle); }, of, a, b);
-    const Fifty at = of == Of::product ? Fifty(centre.place) * Fifty(centre.place) : Fifty(centre.place);
+        centre_of([&](const Fifty& z) { return generate::value(fine, z - middle); }, a, b);
+    const Fifty at = centre.place;
     const std::vector<Fifty> differences = slope_of(fine, at - middle);
     const generate::Quotient q =
         quotient_of([&](const Fifty& z) { return generate::value(differences, z - middle); }, a, b, at,
-                    ldexp(Fifty(centre.value), of == Of::itself ? -59 : -58) / std::max(b - at, at - a));
-    double slope = static_cast<double>(q.above[0]);
-    if(of != Of::itself)
+                    ldexp(Fifty(centre.value), is_long ? -58 : -59) / std::max(b - at, at - a));
+    double slope = sloping ? static_cast<double>(q.above[0]) : 0;
+    if(sloping && is_long)
       slope = std::exp2(std::round(std::log2(slope)));
     std::vector<double> row{centre.place, centre.value};
     for(std::size_t j = 0; j < q.above.size(); ++j)
       row.insert(row.end(), {static_cast<double>(q.above[j] - Fifty(slope) * q.below[j]),
                              static_cast<double>(q.below[j])});
-    row.resize(row_length - 2);
-    row.insert(row.end(), {of == Of::product ? centre.place : 1, slope});
+    row.resize(row_length);
+    row[row_length - 2] = slope;
     write(row);
-    see_error(row, at, f, a, b);
+    see_error(row, f, a, b);
   }
 
-  void see_error(const std::vector<double>& row, const Fifty& at, const Function& f, const Fifty& a,
-                 const Fifty& b)
+  void see_error(const std::vector<double>& row, const Function& f, const Fifty& a, const Fifty& b)
   {
     std::vector<Fifty> above;
     std::vector<Fifty> below;
@@ -275,9 +263,9 @@ struct Rows
     }
     for(const Fifty& z : generate::tchebychef_points(40, a, b))
     {
-      const Fifty t = z - at;
+      const Fifty t = z - Fifty(row[0]);
       const Fifty slope =
-          Fifty(row[row_length - 1]) + generate::value(above, t) / generate::value(below, t);
+          Fifty(row[row_length - 2]) + generate::value(above, t) / generate::value(below, t);
       error = std::max(error, abs((Fifty(row[1]) + t * slope) / f(z) - Fifty(1)));
     }
   }
@@ -426,13 +414,10 @@ void write_form()
 {
   std::fprintf(
       out,
-      "\n// All that is read of a function f. A row has %zu numbers: f(x) = c[1] + t (c[15] + N(t)/D(t)),\n"
+      "\n// All that is read of a function f. A row has %zu numbers: f(x) = c[1] + t (c[14] + N(t)/D(t)),\n"
       "// t = x − c[0], with polynomials of degree up to %d whose coefficients are c[2], c[4], … and "
       "c[3],\n"
-      "// c[5], …; in K's row of a square t = (x − c[0])(x + c[14]) instead. Below the rows f is a "
-      "logarithm "
-      "and a\n"
-      "// short polynomial: see swing/rows.hpp.\n"
+      "// c[5], … Below the rows f is a logarithm and a short polynomial: see swing/rows.hpp.\n"
       "inline constexpr unsigned row_length = %zu;\n"
       "template <unsigned row_count, unsigned terms, unsigned log_terms>\n"
       "struct alignas(128) Function\n{\n"
@@ -447,7 +432,7 @@ void write_form()
 }
 
 // K by the modulus, K by kc, and T/Θ by η: eight or nine doublings of each, and below a logarithm. The modulus is
-// looked for by y = 1 − k, which is a double from k = ½ on; there the rows have k, and for all k up to 37/64 one
+// looked for by y = 1 − k, which is a double from k = ½ on; there the rows have k, and for all smaller k one
 // row has k². So has one row ζ² for all η from 25/16 on.
 void write_functions()
 {
@@ -458,25 +443,24 @@ void write_functions()
     return oracle::K_from_complement(sqrt(y * (Fifty(2) - y)));
   };
   // What multiplies the logarithm is (2/π)K of the complementary modulus.
-  Rows modulus;
-  for(int i = 0; i < 31; ++i)
+  Rows modulus{};
+  for(int i = 0; i < 32; ++i)
   {
     const Fifty step = ldexp(Fifty(1), i / 4 - 11);
     const Fifty y = Fifty(4 + i % 4) * step;
     modulus.add([&](const Fifty& k) { return K_by_y(Fifty(1) - k); }, Fifty(1) - y - step, Fifty(1) - y);
   }
-  const Fifty least_y = Fifty(27) / Fifty(64);
   modulus.add([](const Fifty& m) { return oracle::K_from_complement(sqrt(Fifty(1) - m)); }, Fifty(0),
-              (Fifty(1) - least_y) * (Fifty(1) - least_y), Of::product);
+              Fifty(0.25));
   write_function(
       "K_by_modulus",
-      "K by y = 1 − k: four rows to an octave, one for all k up to 37/64; below 2^-9 λ = ½ ln(8/y), z = y",
+      "K by y = 1 − k: four rows to an octave, one for all k up to ½; below 2^-9 λ = ½ ln(8/y), z = y",
       modulus, 3, logarithm(half),
       below(
           5, 4, half * last, K_by_y, [=](const Fifty& y) { return half * log(Fifty(8) / y); },
           [](const Fifty& y) { return y; },
           [=](const Fifty& y) { return two_over_pi * oracle::K(sqrt(y * (Fifty(2) - y))); }));
-  Rows complement;
+  Rows complement{};
   add_octaves(complement, oracle::K_from_complement, 8, -8, 1);
   write_function("K_by_complement", "K by kc: eight rows to an octave; below 2^-8 λ = ln(4/kc), z = kc²",
                  complement, 2, logarithm(Fifty(1)),
@@ -485,12 +469,12 @@ void write_functions()
                      [](const Fifty& kc) { return log(Fifty(4) / kc); },
                      [](const Fifty& kc) { return kc * kc; },
                      [=](const Fifty& kc) { return two_over_pi * oracle::K(kc); }));
-  Rows ratio;
+  Rows ratio{true};
   const double least_eta = 1.5625;
   add_octaves(ratio, oracle::ratio_from_top, 4, -7, least_eta);
   const Fifty last_zeta = exact::pi() - Fifty(least_eta);
   ratio.add([](const Fifty& z) { return oracle::ratio_from_bottom(sqrt(z)); }, Fifty(0),
-            last_zeta * last_zeta, Of::square);
+            last_zeta * last_zeta, true);
   write_function(
       "ratio_by_eta",
       "T/Θ by η: four rows to an octave, one for all η from 25/16 on; below 2^-7 λ = (2/π) ln(8/η), z = η²",

@@ -22,7 +22,6 @@ struct Arguments
 {
   alignas(64) double given[few];
   alignas(64) double x[few];  // whose distance from the row's centre is asked for
-  alignas(64) double part[few];
   alignas(64) double lost[few];
   alignas(64) std::uint64_t row[few];
   alignas(64) double mantissa[few];
@@ -63,8 +62,6 @@ SWING_INLINE bool find_rows(const double* in, Arguments& a)
     store(x, a.given + i);
     store(place.x, a.x + i);
     store(place.row * sizeof(Table::stored.rows[0]) / sizeof(double), a.row + i);
-    if constexpr(Kernel::square)
-      store(place.part, a.part + i);
     if constexpr(Kernel::inexact)
       store(place.rest, a.lost + i);
   }
@@ -126,12 +123,11 @@ SWING_INLINE void read_rows(const Arguments& a, double* out, std::size_t size)
     read_columns<tables::row_length>(Table::stored.rows[0], a.row + i, c);
     const Wide given = load(a.given + i);
     Wide t = load(a.x + i) - c[0];
-    if constexpr(Kernel::square)
-      t *= load(a.part + i) + c[14];
     if constexpr(Kernel::inexact)
       t += load(a.lost + i);
     const rows::Sum<Wide> sum =
-        rows::beyond_centre(c[1], c[15], t, rows::quintic<2>(c + 2, t), rows::quintic<2>(c + 3, t));
+        rows::beyond_centre<Table>(c[1], c[14], t, rows::quintic<2, Table::sloping>(c + 2, t),
+                                   rows::quintic<2, Table::sloping>(c + 3, t));
     Wide value = sum.main + sum.rest;
     if constexpr(some_below)
     {
@@ -169,12 +165,10 @@ void table_loop(const double* in, double* out, std::size_t n)
   }
 }
 
-// What a table is asked for, from what is given: `square` where one row is of a square, `inexact` with what is
-// lacking.
+// What a table is asked for, from what is given: `inexact` with what that lacks.
 struct By_modulus
 {
   using Table = rows::K_by_modulus;
-  static constexpr bool square = true;
   static constexpr bool inexact = false;
   SWING_INLINE static Wide argument(Wide k) { return 1.0 - bits::magnitude(k); }
   SWING_INLINE static auto place_of(Wide k, Wide x)
@@ -187,7 +181,6 @@ template <class Of>
 struct As_given
 {
   using Table = Of;
-  static constexpr bool square = false;
   static constexpr bool inexact = false;
   SWING_INLINE static Wide argument(Wide x) { return x; }
   SWING_INLINE static auto place_of(Wide, Wide x) { return rows::place_of<Table>(x); }
@@ -196,7 +189,6 @@ struct As_given
 struct By_eta
 {
   using Table = rows::Ratio_by_eta;
-  static constexpr bool square = false;
   static constexpr bool inexact = true;
   SWING_INLINE static Wide argument(Wide eta) { return eta; }
   SWING_INLINE static auto place_of(Wide, Wide eta) { return rows::place_of_angles(rows::from_top(eta)); }
@@ -205,7 +197,6 @@ struct By_eta
 struct By_zeta
 {
   using Table = rows::Ratio_by_eta;
-  static constexpr bool square = false;
   static constexpr bool inexact = true;
   SWING_INLINE static Wide argument(Wide zeta)
   {
