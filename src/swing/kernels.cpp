@@ -29,7 +29,7 @@ const Table SWING_VARIANT = {
     table_loop<By_modulus>,
     table_loop<As_given<rows::K_by_complement>>,
     table_loop<By_zeta>,
-    table_loop<As_given<rows::Ratio_by_eta>>,
+    table_loop<By_eta>,
     {SWING_BY_SERIES(Low<few_terms>, From::bottom), SWING_BY_SERIES(Low<few_terms>, From::rest),
      SWING_BY_SERIES(Low<series_terms>, From::bottom), SWING_BY_SERIES(Low<series_terms>, From::rest),
      SWING_BY_THETA(High<3>, From::bottom), SWING_BY_THETA(High<3>, From::rest),

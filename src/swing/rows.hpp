@@ -27,7 +27,9 @@ struct K_by_modulus
   static constexpr double start = 0x1p-9;                      ///< the first x that has a row
   static constexpr double last = 1;                            ///< where the domain ends
   static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
-  static constexpr std::uint64_t up_to_half = 32;              ///< the row for all k up to ½
+  static constexpr std::uint64_t of_square = 32;               ///< the row for all k up to ½
+  static constexpr double square_from = 0.5;                   ///< the first x that has it
+  static constexpr bool sloping = false;                       ///< whether rows have a slope
   static constexpr bool squared = false;                       ///< whether z is x²; else it is x
   static constexpr bool down_to_subnormal = false;             ///< whether x may be as small as that
 };
@@ -37,21 +39,33 @@ struct K_by_complement
 {
   static constexpr const auto& stored = tables::K_by_complement;  ///< all that is read
   static constexpr double start = 0x1p-8;                         ///< the first x that has a row
+  static constexpr bool sloping = false;                          ///< whether rows have a slope
   static constexpr double last = 1;                               ///< where the domain ends
   static constexpr unsigned shift = 49;                           ///< of the bits that tell the row
   static constexpr bool squared = true;                           ///< whether z is x²; else it is x
   static constexpr bool down_to_subnormal = true;                 ///< whether x may be as small as that
 };
 
-/// T/Θ by x = η.
+/// T/Θ by x = η. For all η from 25/16 on there is one row, which holds ζ² = (π − η)².
 struct Ratio_by_eta
 {
   static constexpr const auto& stored = tables::ratio_by_eta;  ///< all that is read
   static constexpr double start = 0x1p-7;                      ///< the first x that has a row
   static constexpr double last = pi_hi;                        ///< where the domain ends
-  static constexpr unsigned shift = 49;                        ///< of the bits that tell the row
+  static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
+  static constexpr std::uint64_t of_square = 31;               ///< the row for all η from 25/16 on
+  static constexpr double square_from = 25.0 / 16;             ///< the first x that has it
+  static constexpr bool sloping = true;                        ///< whether rows have a slope
   static constexpr bool squared = true;                        ///< whether z is x²; else it is x
   static constexpr bool down_to_subnormal = true;              ///< whether x may be as small as that
+};
+
+/// A table of which an x is asked that is not as small as the smallest: it is found by less.
+template <class Table>
+struct Not_tiny : Table
+{
+  static constexpr bool down_to_subnormal = false;  ///< whether x may be as small as that
+  static constexpr double least = 0x1p-100;         ///< the smallest x of those below the rows
 };
 
 /// How far the bits of x lie beyond those of the table's start: of the numbers that have a row at most
@@ -88,17 +102,80 @@ SWING_INLINE auto place_of(Number x)
   return Place<decltype(bits_of(x)), Number>{beyond_start<Table>(x) >> Table::shift, x};
 }
 
+/// A row, and a number as the sum of two.
+template <class Bits, class Number>
+struct Place_of_sum
+{
+  Bits row;     ///< which
+  Number x;     ///< the number
+  Number rest;  ///< what it lacks
+};
+
+/// All bits set where a row is not that of a square, from what beyond_start() says.
+template <class Table, class Bits>
+SWING_INLINE Bits not_of_square(Bits beyond)
+{
+  constexpr std::uint64_t edge = __builtin_bit_cast(std::uint64_t, Table::square_from)
+                                 - __builtin_bit_cast(std::uint64_t, Table::start);
+  return 0 - ((beyond - edge) >> 63);
+}
+
 /// The place of a modulus, x = 1 − k having a row.
 template <class Number>
 SWING_INLINE auto place_of_modulus(Number k, Number x)
 {
   using Table = K_by_modulus;
-  constexpr std::uint64_t half = Table::up_to_half << Table::shift;
   const auto beyond = beyond_start<Table>(x);
-  const auto past_half = 0 - ((beyond - half) >> 63);
+  const auto plain = not_of_square<Table>(beyond);
   return Place<decltype(bits_of(x)), Number>{
-      chosen(past_half, beyond >> Table::shift, 0 * beyond + Table::up_to_half),
-      from_bits(chosen(past_half, bits_of(k), bits_of(k * k)))};
+      chosen(plain, beyond >> Table::shift, 0 * beyond + Table::of_square),
+      from_bits(chosen(plain, bits_of(k), bits_of(k * k)))};
+}
+
+/// How far a pendulum swings, from the top and from the bottom, each with what it lacks. From the bottom it is only
+/// asked where η ≥ 25/16, and what η lacks only where it is less.
+template <class Number>
+struct Angles
+{
+  Number eta;        ///< from the top
+  Number eta_rest;   ///< what that lacks
+  Number zeta;       ///< from the bottom
+  Number zeta_rest;  ///< what that lacks
+};
+
+/// Of η, which is exact.
+template <class Number>
+SWING_INLINE Angles<Number> from_top(Number eta)
+{
+  const Number nearly = pi_hi - eta;
+  return {eta, Number{}, nearly, ((pi_hi - nearly) - eta) + pi_lo};
+}
+
+/// Of ζ, which is exact, with the two parts of π.
+template <class Number>
+SWING_INLINE Angles<Number> from_bottom(Number zeta, double half_turn, double beyond)
+{
+  const Number nearly = half_turn - zeta;  // exact where η < 25/16
+  const Number eta = nearly + beyond;
+  return {eta, (nearly - eta) + beyond, zeta, Number{}};
+}
+
+/// To be added and taken away again: rounds to a multiple of 2⁻²⁵, whose square is exact.
+inline constexpr double to_upper = 0x1.8p27;
+
+/// The place of angles whose η has a row. Of ζ the upper half is squared.
+template <class Number>
+SWING_INLINE auto place_of_angles(const Angles<Number>& a, double upwards = to_upper)
+{
+  using Table = Ratio_by_eta;
+  const auto beyond = beyond_start<Table>(a.eta);
+  const auto plain = not_of_square<Table>(beyond);
+  const Number upper = (a.zeta + upwards) - upwards;
+  const Number rest = (upper + a.zeta) * ((a.zeta - upper) + a.zeta_rest);
+  return Place_of_sum<decltype(bits_of(a.eta)), Number>{
+      chosen(plain, beyond >> Table::shift, 0 * beyond + Table::of_square),
+      from_bits(chosen(plain, bits_of(a.eta), bits_of(upper * upper))),
+      from_bits(chosen(plain, bits_of(a.eta_rest), bits_of(rest)))};
 }
 
 /// A value as a sum, the second part being small beside the first.
@@ -109,21 +186,30 @@ struct Sum
   Number rest;  ///< what is to be added
 };
 
-/// c₀ + c₁t + … of six coefficients, of which each stands `step` behind the one before.
-template <unsigned step, class Number>
+/// c₀ + c₁t + … of six coefficients, of which each stands `step` behind the one before; where it is asked for, the
+/// small is summed first.
+template <unsigned step, bool small_first, class Number>
 SWING_INLINE Number quintic(const Number* c, Number t)
 {
   const Number t2 = t * t;
-  return (c[0] + t * c[step]) + t2 * (c[2 * step] + t * c[3 * step])
-         + (t2 * t2) * (c[4 * step] + t * c[5 * step]);
+  const Number middle = t2 * (c[2 * step] + t * c[3 * step]);
+  const Number last = (t2 * t2) * (c[4 * step] + t * c[5 * step]);
+  if constexpr(small_first)
+    return c[0] + (t * c[step] + (middle + last));
+  return (c[0] + t * c[step]) + middle + last;
 }
 
-/// What a row adds to its value at the distance t from its centre, of what stands above and below in its
-/// quotient.
-template <class Number>
-SWING_INLINE Number beyond_centre(Number t, Number above, Number below)
+/// The value at the distance t from a row's centre, of that there, the slope, and what stands above and below in the
+/// quotient by which the slope differs. What the first sum is rounded by is carried on. Where the table's rows have no
+/// slope the quotient is all: they are quicker, and serve shorter intervals.
+template <class Table, class Number>
+SWING_INLINE Sum<Number> beyond_centre(Number value, Number slope, Number t, Number above, Number below)
 {
-  return (t * above) / below;
+  if constexpr(!Table::sloping)
+    return {value, (t * above) / below};
+  const Number step = t * slope;
+  const Number main = value + step;
+  return {main, (step - (main - value)) + t * (above / below)};
 }
 
 /// x² where z is that, or what is as good where that is nothing beside 1: numbers that underflow cost much
@@ -133,8 +219,9 @@ SWING_INLINE Number small_of(Number x)
 {
   if constexpr(!Table::squared)
     return x;
-  const Number y = x > 0x1p-100 ? x : Number{} + 0x1p-100;
-  return y * y;
+  if constexpr(Table::down_to_subnormal)
+    x = x > 0x1p-100 ? x : Number{} + 0x1p-100;
+  return x * x;
 }
 
 /// An argument below the rows, as a mantissa and a power of two.

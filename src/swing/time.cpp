@@ -44,21 +44,38 @@ SWING_INLINE Pair load_pair(const double* c)
 }
 
 // What the row at c says at the distance t from its centre.
+template <class Table>
 SWING_INLINE rows::Sum<double> value_of_row(const double* c, double t)
 {
   const Pair coefficients[] = {load_pair(c + 2), load_pair(c + 4),  load_pair(c + 6),
                                load_pair(c + 8), load_pair(c + 10), load_pair(c + 12)};
-  const Pair both = rows::quintic<1>(coefficients, Pair{t, t});
-  return {c[1], rows::beyond_centre(t, both[0], both[1])};
+  const Pair both = rows::quintic<1, Table::sloping>(coefficients, Pair{t, t});
+  return rows::beyond_centre<Table>(c[1], c[14], t, both[0], both[1]);
 }
 
 // What the rows say of x, x having one.
-template <class Table, class Argument>
-SWING_INLINE rows::Sum<double> looked_up(Argument a)
+template <class Table>
+SWING_INLINE rows::Sum<double> looked_up(double x)
 {
-  const auto place = rows::place_of<Table>(a.x);
+  const auto place = rows::place_of<Table>(x);
   const double* const c = Table::stored.rows[place.row];
-  return value_of_row(c, a.moved(place.x - c[0], 1));
+  return value_of_row<Table>(c, place.x - c[0]);
+}
+
+// The same of K, x = 1 − k having a row.
+SWING_INLINE rows::Sum<double> looked_up(double k, double x)
+{
+  const auto place = rows::place_of_modulus(k, x);
+  const double* const c = rows::K_by_modulus::stored.rows[place.row];
+  return value_of_row<rows::K_by_modulus>(c, place.x - c[0]);
+}
+
+// And of T/Θ, η having a row.
+SWING_INLINE rows::Sum<double> looked_up(const rows::Angles<double>& a)
+{
+  const auto place = rows::place_of_angles(a, bits::made(rows::to_upper));
+  const double* const c = rows::Ratio_by_eta::stored.rows[place.row];
+  return value_of_row<rows::Ratio_by_eta>(c, (place.x - c[0]) + place.rest);
 }
 
 // And what the logarithm and its series say of x below them.
@@ -72,33 +89,73 @@ SWING_INLINE rows::Sum<double> below(Argument a)
                      s.halvings, rows::small_of<Table>(a.x));
 }
 
+double rounded(const rows::Sum<double>& sum)
+{
+  return sum.main + sum.rest;
+}
+
+// Whether x stands below the rows and is not tiny.
+template <class Table>
+SWING_INLINE bool plainly_below(double x)
+{
+  constexpr auto least = __builtin_bit_cast(std::uint64_t, rows::Not_tiny<Table>::least);
+  return bits::bits_of(x) - least < __builtin_bit_cast(std::uint64_t, Table::start) - least;
+}
+
+// Asks for what is read below the rows: with cold caches it comes while the code is still waited for.
+template <class Table>
+SWING_INLINE void expect_below()
+{
+  const auto& f = bits::as_stored(Table::stored);
+  for(const double* line = &f.zero; line < f.rows[0]; line += 8)
+    __builtin_prefetch(line);
+}
+
+// Asks for the row that serves half of all arguments, before it is known whether it is the one that is wanted.
+template <class Table>
+SWING_INLINE void expect_square()
+{
+  const double* const row = bits::as_stored(Table::stored).rows[Table::of_square];
+  __builtin_prefetch(row);
+  __builtin_prefetch(row + 8);
+}
+
 // Infinite at zero, NaN where there is no value.
 double out_of_domain(double x)
 {
   return x == 0 ? inf : nan;
 }
 
-double rounded(const rows::Sum<double>& sum)
+// Of the table's function for an x that is tiny or has no value.
+template <class Table, class Argument>
+[[gnu::noinline]] double rounded_value_elsewhere(Argument a)
 {
-  return sum.main + sum.rest;
+  return a.x > 0 && a.x < Table::start ? rounded(below<Table>(a)) : out_of_domain(a.x);
 }
 
-// Of the table's function for any x that has no row.
+// And for any x that has no row.
 template <class Table, class Argument>
-SWING_INLINE double rounded_value_outside(Argument a)
+SWING_INLINE double rounded_value_below(Argument a)
 {
-  if(!(a.x > 0 && bits::bits_of(a.x) < __builtin_bit_cast(std::uint64_t, Table::start)))
-    return out_of_domain(a.x);
-  return rounded(below<Table>(a));
+  expect_below<Table>();
+  if(plainly_below<Table>(a.x)) [[likely]]
+    return rounded(below<rows::Not_tiny<Table>>(a));
+  return rounded_value_elsewhere<Table>(a);
 }
 
-// And for any x.
-template <class Table, class Argument>
-SWING_INLINE double rounded_value(Argument a)
+// T/Θ of any angles.
+SWING_INLINE double rounded_ratio(const rows::Angles<double>& a)
 {
-  if(rows::beyond_start<Table>(a.x) <= rows::reach<Table>) [[likely]]
-    return rounded(looked_up<Table>(a));
-  return rounded_value_outside<Table>(a);
+  using Table = rows::Ratio_by_eta;
+  if(rows::beyond_start<Table>(a.eta) <= rows::reach<Table>) [[likely]]
+    return rounded(looked_up(a));
+  return rounded_value_below<Table>(Inexact{a.eta, a.eta_rest});
+}
+
+// K of a modulus that is negative or has no value.
+[[gnu::noinline]] double K_elsewhere(double k)
+{
+  return std::signbit(k) ? K(-k) : out_of_domain(1 - k);
 }
 
 void same_length(std::span<const double> in, std::span<double> out)
@@ -230,19 +287,22 @@ double agm(double a, double b)
 double K(double k)
 {
   using Table = rows::K_by_modulus;
+  expect_square<Table>();
   const double x = bits::made(1) - k;
   if(rows::beyond_start<Table>(x) <= rows::reach<Table>) [[likely]]
-  {
-    const auto place = rows::place_of_modulus(k, x);
-    const double* const c = Table::stored.rows[place.row];
-    return rounded(value_of_row(c, place.x - c[0]));
-  }
-  return std::signbit(k) ? K(-k) : rounded_value_outside<Table>(Exact{x});
+    return rounded(looked_up(k, x));
+  expect_below<Table>();
+  if(plainly_below<Table>(x)) [[likely]]
+    return rounded(below<rows::Not_tiny<Table>>(Exact{x}));
+  return K_elsewhere(k);
 }
 
 double K_from_complement(double kc)
 {
-  return rounded_value<rows::K_by_complement>(Exact{kc});
+  using Table = rows::K_by_complement;
+  if(rows::beyond_start<Table>(kc) <= rows::reach<Table>) [[likely]]
+    return rounded(looked_up<Table>(kc));
+  return rounded_value_below<Table>(Exact{kc});
 }
 
 double quarter_time_from_top(double eta)
@@ -251,7 +311,7 @@ double quarter_time_from_top(double eta)
     return out_of_domain(eta);
   using Table = rows::Ratio_by_eta;
   const rows::Sum<double> ratio =
-      eta >= Table::start ? looked_up<Table>(Exact{eta}) : below<Table>(Exact{eta});
+      eta >= Table::start ? looked_up(rows::from_top(eta)) : below<Table>(Exact{eta});
   const Twofold K = product_of(ratio.main, pi_hi / 2);
   return K.hi + (K.lo + (ratio.main * (pi_lo / 2) + ratio.rest * (pi_hi / 2)));
 }
@@ -263,23 +323,26 @@ double quarter_time(Amplitude a)
 
 double ratio_from_top(double eta)
 {
-  return rounded_value<rows::Ratio_by_eta>(Exact{eta});
+  return rounded_ratio(rows::from_top(eta));
 }
 
 double ratio_from_bottom(double zeta)
 {
-  if(!(zeta >= 0 && zeta <= pi_hi))
-    return nan;
-  const double half_turn = bits::made(pi_hi), beyond = bits::made(pi_lo);
-  const double nearly = half_turn - zeta;
-  const double eta = nearly + beyond;
-  const double lost = (half_turn - nearly) - zeta;
-  return rounded_value<rows::Ratio_by_eta>(Inexact{eta, (nearly - eta) + (lost + beyond)});
+  using Table = rows::Ratio_by_eta;
+  constexpr double last = pi_hi - Table::start;  // whose η has a row
+  expect_square<Table>();
+  const rows::Angles<double> a = rows::from_bottom(zeta, bits::made(pi_hi), bits::made(pi_lo));
+  if(bits::bits_of(zeta) <= bits::bits_of(last)) [[likely]]
+    return rounded(looked_up(a));
+  expect_below<Table>();
+  if(bits::bits_of(zeta) <= bits::bits_of(pi_hi)) [[likely]]
+    return rounded(below<rows::Not_tiny<Table>>(Inexact{a.eta, a.eta_rest}));
+  return zeta == 0 ? ratio_from_bottom(0) : nan;
 }
 
 double ratio(Amplitude a)
 {
-  return rounded_value<rows::Ratio_by_eta>(Inexact{a.eta, a.eta_rest});
+  return rounded_ratio({a.eta, a.eta_rest, a.zeta, a.zeta_rest});
 }
 
 // Up to 90° by a polynomial in ζ²; beyond, where the excess is no longer small, a subtraction costs three

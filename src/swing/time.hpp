@@ -82,7 +82,7 @@ double K_from_complement(double kc);
 double quarter_time(Amplitude a);
 
 /// The same from η = π − ζ, 0 ≤ η ≤ π, down to the smallest double. NaN outside and for NaN. Worst error
-/// 0.55 ulp.
+/// 0.6 ulp.
 double quarter_time_from_top(double eta);
 
 /// T/Θ, the time of a swing over that of a very small one; +∞ for η = 0. Worst error 0.55 ulp.

@@ -16,7 +16,9 @@ namespace bench::cold
 namespace
 {
 
-constexpr std::size_t calls = 150;  // of each entrant in a round
+constexpr std::size_t runs = 25;      // of each entrant in a round
+constexpr std::size_t uncounted = 2;  // calls at the beginning of a run
+constexpr std::size_t counted = 6;    // calls that follow
 
 using Clock = std::chrono::steady_clock;
 
@@ -55,6 +57,15 @@ void touch(std::vector<unsigned char>& memory)
   race::keep(memory.data());
 }
 
+// The mean of the middle half: finer than the clock's steps, and without what was interrupted.
+double middle(std::vector<double> times)
+{
+  std::sort(times.begin(), times.end());
+  const auto quarter = static_cast<std::ptrdiff_t>(times.size() / 4);
+  return std::accumulate(times.begin() + quarter, times.end() - quarter, 0.0)
+         / static_cast<double>(times.size() - 2 * (times.size() / 4));
+}
+
 }  // namespace
 
 std::vector<race::Timing> run(const std::vector<Entrant>& entrants, std::span<const double> arguments,
@@ -74,22 +85,24 @@ std::vector<race::Timing> run(const std::vector<Entrant>& entrants, std::span<co
   for(int round = 0; round < rounds; ++round)
   {
     std::vector<std::vector<double>> of(all.size());
-    for(std::size_t call = 0; call < calls; ++call)
+    for(std::size_t run = 0; run < runs; ++run)
     {
       std::shuffle(order.begin(), order.end(), dice);
       for(std::size_t i : order)
-      {
-        const double x = arguments[next++ % arguments.size()];
-        touch(memory);
-        const std::uint64_t start = ticks();
-        const double y = all[i].one(x);
-        const std::uint64_t end = ticks();
-        race::keep(y);
-        of[i].push_back(static_cast<double>(end - start) * unit);
-      }
+        for(std::size_t call = 0; call < uncounted + counted; ++call)
+        {
+          const double x = arguments[next++ % arguments.size()];
+          touch(memory);
+          const std::uint64_t start = ticks();
+          const double y = all[i].one(x);
+          const std::uint64_t end = ticks();
+          race::keep(y);
+          if(call >= uncounted)
+            of[i].push_back(static_cast<double>(end - start) * unit);
+        }
     }
     for(std::size_t i = 0; i < all.size(); ++i)
-      times[i].push_back(race::median(of[i]));
+      times[i].push_back(middle(of[i]));
     for(std::size_t i = 1; i < all.size(); ++i)
       times[i].back() -= times[0].back();
   }

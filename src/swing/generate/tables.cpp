@@ -165,8 +165,8 @@ struct Centre
   double value;
 };
 
-// Where the function is in the middle between its values at the ends, so that least is to be added; moved
-// until the function is very nearly a double: then its value needs no second word.
+// Where the function, of z between a and b, is in the middle between its values at the ends, so that least is to be
+// added; moved until it is very nearly a double: then its value needs no second word.
 Centre centre_of(const Function& f, const Fifty& a, const Fifty& b)
 {
   const Fifty middle = place_of(f, (f(a) + f(b)) / Fifty(2), a, b);
@@ -190,7 +190,7 @@ Centre centre_of(const Function& f, const Fifty& a, const Fifty& b)
 
 // The quotient that differs from f between a and b by less than `allowed`, of the lowest degree with which
 // one does: with a higher one, zeros below and above would meet to no purpose. Below stays positive.
-generate::Quotient quotient_of(const Function& f, const Fifty& a, const Fifty& b, double centre,
+generate::Quotient quotient_of(const Function& f, const Fifty& a, const Fifty& b, const Fifty& centre,
                                const Fifty& allowed)
 {
   for(int n = 1; n <= degree; ++n)
@@ -200,7 +200,7 @@ generate::Quotient quotient_of(const Function& f, const Fifty& a, const Fifty& b
     for(int i = 0; i <= 100 && good; ++i)
     {
       const Fifty x = a + (b - a) * Fifty(i) / Fifty(100);
-      const Fifty t = x - Fifty(centre);
+      const Fifty t = x - centre;
       const Fifty below = generate::value(q.below, t);
       good = below > Fifty(0.1) && abs(generate::value(q.above, t) / below - f(x)) < allowed;
     }
@@ -213,34 +213,41 @@ generate::Quotient quotient_of(const Function& f, const Fifty& a, const Fifty& b
 // Rows one after another, and the largest error of them, relative to the function.
 struct Rows
 {
-  std::string text;
+  bool sloping = false;
+  std::string text = {};
   Fifty error = 0;
   int count = 0;
 
-  // The row of f for x from a to b: f(x) = value + t N(t)/D(t) with t = x − centre. The coefficients of N
-  // and D stand in pairs.
-  void add(const Function& f, const Fifty& a, const Fifty& b)
+  // The row of f for z from a to b: f(z) = value + t (slope + N(t)/D(t)), where t = z − centre. The coefficients of N
+  // and D stand in pairs. Where the rows are sloping N is small; without, the slope is zero. Where the interval is long the
+  // slope is a power of two, so that its product is exact.
+  void add(const Function& f, const Fifty& a, const Fifty& b, bool is_long = false)
   {
     const Fifty middle = (a + b) / Fifty(2);
     std::vector<Fifty> distances;
     std::vector<Fifty> values;
-    for(const Fifty& x : generate::tchebychef_points(26, a, b))
+    for(const Fifty& z : generate::tchebychef_points(26, a, b))
     {
-      distances.push_back(x - middle);
-      values.push_back(f(x));
+      distances.push_back(z - middle);
+      values.push_back(f(z));
     }
     const std::vector<Fifty> fine = generate::through(distances, values);
     const Centre centre =
-        centre_of([&](const Fifty& x) { return generate::value(fine, x - middle); }, a, b);
-    const std::vector<Fifty> slope = slope_of(fine, Fifty(centre.place) - middle);
-    const Fifty farthest = std::max(b - Fifty(centre.place), Fifty(centre.place) - a);
+        centre_of([&](const Fifty& z) { return generate::value(fine, z - middle); }, a, b);
+    const Fifty at = centre.place;
+    const std::vector<Fifty> differences = slope_of(fine, at - middle);
     const generate::Quotient q =
-        quotient_of([&](const Fifty& x) { return generate::value(slope, x - middle); }, a, b, centre.place,
-                    ldexp(Fifty(centre.value), -59) / farthest);
+        quotient_of([&](const Fifty& z) { return generate::value(differences, z - middle); }, a, b, at,
+                    ldexp(Fifty(centre.value), is_long ? -58 : -59) / std::max(b - at, at - a));
+    double slope = sloping ? static_cast<double>(q.above[0]) : 0;
+    if(sloping && is_long)
+      slope = std::exp2(std::round(std::log2(slope)));
     std::vector<double> row{centre.place, centre.value};
     for(std::size_t j = 0; j < q.above.size(); ++j)
-      row.insert(row.end(), {static_cast<double>(q.above[j]), static_cast<double>(q.below[j])});
+      row.insert(row.end(), {static_cast<double>(q.above[j] - Fifty(slope) * q.below[j]),
+                             static_cast<double>(q.below[j])});
     row.resize(row_length);
+    row[row_length - 2] = slope;
     write(row);
     see_error(row, f, a, b);
   }
@@ -249,16 +256,17 @@ struct Rows
   {
     std::vector<Fifty> above;
     std::vector<Fifty> below;
-    for(std::size_t j = 2; j < row_length; j += 2)
+    for(std::size_t j = 2; j < row_length - 2; j += 2)
     {
       above.push_back(row[j]);
       below.push_back(row[j + 1]);
     }
-    for(const Fifty& x : generate::tchebychef_points(40, a, b))
+    for(const Fifty& z : generate::tchebychef_points(40, a, b))
     {
-      const Fifty t = x - Fifty(row[0]);
-      const Fifty value = Fifty(row[1]) + t * generate::value(above, t) / generate::value(below, t);
-      error = std::max(error, abs(value / f(x) - Fifty(1)));
+      const Fifty t = z - Fifty(row[0]);
+      const Fifty slope =
+          Fifty(row[row_length - 2]) + generate::value(above, t) / generate::value(below, t);
+      error = std::max(error, abs((Fifty(row[1]) + t * slope) / f(z) - Fifty(1)));
     }
   }
 
@@ -406,7 +414,7 @@ void write_form()
 {
   std::fprintf(
       out,
-      "\n// All that is read of a function f. A row has %zu numbers: f(x) = c[1] + t N(t)/D(t),\n"
+      "\n// All that is read of a function f. A row has %zu numbers: f(x) = c[1] + t (c[14] + N(t)/D(t)),\n"
       "// t = x − c[0], with polynomials of degree up to %d whose coefficients are c[2], c[4], … and "
       "c[3],\n"
       "// c[5], … Below the rows f is a logarithm and a short polynomial: see swing/rows.hpp.\n"
@@ -425,7 +433,7 @@ void write_form()
 
 // K by the modulus, K by kc, and T/Θ by η: eight or nine doublings of each, and below a logarithm. The modulus is
 // looked for by y = 1 − k, which is a double from k = ½ on; there the rows have k, and for all smaller k one
-// row has k².
+// row has k². So has one row ζ² for all η from 25/16 on.
 void write_functions()
 {
   const Fifty two_over_pi = Fifty(2) / exact::pi();
@@ -435,7 +443,7 @@ void write_functions()
     return oracle::K_from_complement(sqrt(y * (Fifty(2) - y)));
   };
   // What multiplies the logarithm is (2/π)K of the complementary modulus.
-  Rows modulus;
+  Rows modulus{};
   for(int i = 0; i < 32; ++i)
   {
     const Fifty step = ldexp(Fifty(1), i / 4 - 11);
@@ -452,7 +460,7 @@ void write_functions()
           5, 4, half * last, K_by_y, [=](const Fifty& y) { return half * log(Fifty(8) / y); },
           [](const Fifty& y) { return y; },
           [=](const Fifty& y) { return two_over_pi * oracle::K(sqrt(y * (Fifty(2) - y))); }));
-  Rows complement;
+  Rows complement{};
   add_octaves(complement, oracle::K_from_complement, 8, -8, 1);
   write_function("K_by_complement", "K by kc: eight rows to an octave; below 2^-8 λ = ln(4/kc), z = kc²",
                  complement, 2, logarithm(Fifty(1)),
@@ -461,15 +469,21 @@ void write_functions()
                      [](const Fifty& kc) { return log(Fifty(4) / kc); },
                      [](const Fifty& kc) { return kc * kc; },
                      [=](const Fifty& kc) { return two_over_pi * oracle::K(kc); }));
-  Rows ratio;
-  add_octaves(ratio, oracle::ratio_from_top, 8, -7, 3.1415926535897931);
-  write_function("ratio_by_eta", "T/Θ by η: eight rows to an octave; below 2^-7 λ = (2/π) ln(8/η), z = η²",
-                 ratio, 3, logarithm(two_over_pi),
-                 below(
-                     3, 2, Fifty(2) * last, oracle::ratio_from_top,
-                     [=](const Fifty& eta) { return two_over_pi * log(Fifty(8) / eta); },
-                     [](const Fifty& eta) { return eta * eta; },
-                     [=](const Fifty& eta) { return two_over_pi * oracle::K(sin(eta * half)); }));
+  Rows ratio{true};
+  const double least_eta = 1.5625;
+  add_octaves(ratio, oracle::ratio_from_top, 4, -7, least_eta);
+  const Fifty last_zeta = exact::pi() - Fifty(least_eta);
+  ratio.add([](const Fifty& z) { return oracle::ratio_from_bottom(sqrt(z)); }, Fifty(0),
+            last_zeta * last_zeta, true);
+  write_function(
+      "ratio_by_eta",
+      "T/Θ by η: four rows to an octave, one for all η from 25/16 on; below 2^-7 λ = (2/π) ln(8/η), z = η²",
+      ratio, 3, logarithm(two_over_pi),
+      below(
+          3, 2, Fifty(2) * last, oracle::ratio_from_top,
+          [=](const Fifty& eta) { return two_over_pi * log(Fifty(8) / eta); },
+          [](const Fifty& eta) { return eta * eta; },
+          [=](const Fifty& eta) { return two_over_pi * oracle::K(sin(eta * half)); }));
 }
 
 // d⁸ and d⁹ for |d| ≤ ½ by polynomials of degree 6 and 7 that vanish at 0. In x = 2d it is the

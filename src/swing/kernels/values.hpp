@@ -63,7 +63,7 @@ SWING_INLINE bool find_rows(const double* in, Arguments& a)
     store(place.x, a.x + i);
     store(place.row * sizeof(Table::stored.rows[0]) / sizeof(double), a.row + i);
     if constexpr(Kernel::inexact)
-      store(Kernel::lost(given), a.lost + i);
+      store(place.rest, a.lost + i);
   }
   return any(below);
 }
@@ -125,8 +125,10 @@ SWING_INLINE void read_rows(const Arguments& a, double* out, std::size_t size)
     Wide t = load(a.x + i) - c[0];
     if constexpr(Kernel::inexact)
       t += load(a.lost + i);
-    const Wide beyond = rows::beyond_centre(t, rows::quintic<2>(c + 2, t), rows::quintic<2>(c + 3, t));
-    Wide value = c[1] + beyond;
+    const rows::Sum<Wide> sum =
+        rows::beyond_centre<Table>(c[1], c[14], t, rows::quintic<2, Table::sloping>(c + 2, t),
+                                   rows::quintic<2, Table::sloping>(c + 3, t));
+    Wide value = sum.main + sum.rest;
     if constexpr(some_below)
     {
       const auto below = load(a.halvings + i) != 0.0;
@@ -184,6 +186,14 @@ struct As_given
   SWING_INLINE static auto place_of(Wide, Wide x) { return rows::place_of<Table>(x); }
 };
 
+struct By_eta
+{
+  using Table = rows::Ratio_by_eta;
+  static constexpr bool inexact = true;
+  SWING_INLINE static Wide argument(Wide eta) { return eta; }
+  SWING_INLINE static auto place_of(Wide, Wide eta) { return rows::place_of_angles(rows::from_top(eta)); }
+};
+
 struct By_zeta
 {
   using Table = rows::Ratio_by_eta;
@@ -192,12 +202,12 @@ struct By_zeta
   {
     return zeta >= 0.0 ? (pi_hi - zeta) + pi_lo : Wide{} + std::numeric_limits<double>::quiet_NaN();
   }
-  SWING_INLINE static Wide lost(Wide zeta)
+  SWING_INLINE static auto place_of(Wide zeta, Wide eta)
   {
-    const Wide nearly = pi_hi - zeta;
-    return (nearly - argument(zeta)) + (((pi_hi - nearly) - zeta) + pi_lo);
+    rows::Angles<Wide> a = rows::from_bottom(zeta, pi_hi, pi_lo);
+    a.eta = eta;
+    return rows::place_of_angles(a);
   }
-  SWING_INLINE static auto place_of(Wide, Wide eta) { return rows::place_of<Table>(eta); }
 };
 
 }  // namespace
