@@ -90,7 +90,7 @@ bool ToldNumber::is(const Rational& q) const
   return text_ == q.str();
 }
 
-bool ToldNumber::is(std::string_view words) const
+bool ToldNumber::is_text(std::string_view words) const
 {
   look_at(key_);
   remember({text_, std::string(words), "exactly", "", -1});

@@ -40,7 +40,10 @@ public:
   /// The claim that it is exactly this fraction.
   friend bool operator==(const ToldNumber& told, const Rational& q) { return told.is(q); }
   /// The claim that it is this text.
-  friend bool operator==(const ToldNumber& told, std::string_view words) { return told.is(words); }
+  /// @{
+  friend bool operator==(const ToldNumber& told, const std::string& words) { return told.is_text(words); }
+  friend bool operator==(const ToldNumber& told, const char* words) { return told.is_text(words); }
+  /// @}
 
   /// As it was told.
   const std::string& text() const { return text_; }
@@ -48,7 +51,7 @@ public:
 private:
   bool is(const Expectation& e) const;
   bool is(const Rational& q) const;
-  bool is(std::string_view words) const;
+  bool is_text(std::string_view words) const;
 
   std::string key_;
   Fifty exact_;
