@@ -66,8 +66,8 @@ $l\tan(45^\circ+\tfrac12\varphi)$ is today's inverse Gudermannian function,
 $\operatorname{arsinh}\tan\varphi$.
 :::
 
-The constants in {{eq 8}} have been so chosen that $x$ vanishes in $C$, where $\varphi$ does; for the others no
-constant is needed. The left-over constants of {{eq 3}} and {{eq 5}} are not written: from $\varphi = 0$
+The constants in {{eq 8}} have been so chosen that $x$ vanishes in $C$, where $\varphi$ does; for the others
+no constant is needed. The left-over constants of {{eq 3}} and {{eq 5}} are not written: from $\varphi = 0$
 they would be $-\tfrac12$ and $\tfrac1{12}$.
 
 ## The program

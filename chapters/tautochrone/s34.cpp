@@ -47,8 +47,8 @@ $$ \begin{aligned} q = \tfrac12a\varphi &- \tfrac12a\sin\varphi\cos\varphi + \fr
   &+ \frac{k^4\sin\varphi}{a^3\cos\varphi}\Bigl(\frac45 + \frac2{5\cos^2\varphi} \\
   &\qquad - \frac{36}{5\cos^4\varphi} + \frac6{\cos^6\varphi}\Bigr). \end{aligned} \tag{6} $$
 
-Since both coordinates, $p$ and $q$, can be had from the given angle $\varphi$, which is also the amplitude of the
-arc $AM$, the curve that was sought, $AMB$, is constructed without difficulty.
+Since both coordinates, $p$ and $q$, can be had from the given angle $\varphi$, which is also the amplitude of
+the arc $AM$, the curve that was sought, $AMB$, is constructed without difficulty.
 
 ::: margin
 The cheek's amplitude is the angle through which its tangent has turned.
