@@ -60,12 +60,14 @@ struct Ratio_by_eta
   static constexpr bool down_to_subnormal = true;              ///< whether x may be as small as that
 };
 
-/// A table of which an x is asked that is not as small as the smallest: it is found by less.
+/// An x below this is tiny: its square is nothing beside 1.
+inline constexpr double tiny = 0x1p-100;
+
+/// A table of which an x is asked that is not tiny: it is found by less.
 template <class Table>
 struct Not_tiny : Table
 {
   static constexpr bool down_to_subnormal = false;  ///< whether x may be as small as that
-  static constexpr double least = 0x1p-100;         ///< the smallest x of those below the rows
 };
 
 /// How far the bits of x lie beyond those of the table's start: of the numbers that have a row at most
@@ -220,7 +222,7 @@ SWING_INLINE Number small_of(Number x)
   if constexpr(!Table::squared)
     return x;
   if constexpr(Table::down_to_subnormal)
-    x = x > 0x1p-100 ? x : Number{} + 0x1p-100;
+    x = x > tiny ? x : Number{} + tiny;
   return x * x;
 }
 

@@ -98,7 +98,7 @@ double rounded(const rows::Sum<double>& sum)
 template <class Table>
 SWING_INLINE bool plainly_below(double x)
 {
-  constexpr auto least = __builtin_bit_cast(std::uint64_t, rows::Not_tiny<Table>::least);
+  constexpr auto least = __builtin_bit_cast(std::uint64_t, rows::tiny);
   return bits::bits_of(x) - least < __builtin_bit_cast(std::uint64_t, Table::start) - least;
 }
 

@@ -219,8 +219,8 @@ struct Rows
   int count = 0;
 
   // The row of f for z from a to b: f(z) = value + t (slope + N(t)/D(t)), where t = z − centre. The coefficients of N
-  // and D stand in pairs. Where the rows are sloping N is small; without, the slope is zero. Where the interval is long the
-  // slope is a power of two, so that its product is exact.
+  // and D stand in pairs. Where the rows are sloping N is small; without, the slope is zero. Where the interval is
+  // long, of sloping rows, the slope is a power of two, so that its product is exact.
   void add(const Function& f, const Fifty& a, const Fifty& b, bool is_long = false)
   {
     const Fifty middle = (a + b) / Fifty(2);
@@ -240,7 +240,7 @@ struct Rows
         quotient_of([&](const Fifty& z) { return generate::value(differences, z - middle); }, a, b, at,
                     ldexp(Fifty(centre.value), is_long ? -58 : -59) / std::max(b - at, at - a));
     double slope = sloping ? static_cast<double>(q.above[0]) : 0;
-    if(sloping && is_long)
+    if(is_long)
       slope = std::exp2(std::round(std::log2(slope)));
     std::vector<double> row{centre.place, centre.value};
     for(std::size_t j = 0; j < q.above.size(); ++j)
