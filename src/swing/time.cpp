@@ -111,13 +111,14 @@ SWING_INLINE void expect_below()
     __builtin_prefetch(line);
 }
 
-// Asks for the row that serves half of all arguments, before it is known whether it is the one that is wanted.
+// Asks for the row that serves half of all arguments, and for those that stand before it and serve the next most, while
+// it is not yet known which is wanted: with cold caches they come together, and are there when another call wants one.
 template <class Table>
-SWING_INLINE void expect_square()
+SWING_INLINE void expect_usual()
 {
-  const double* const row = bits::as_stored(Table::stored).rows[Table::of_square];
-  __builtin_prefetch(row);
-  __builtin_prefetch(row + 8);
+  const double* const end = bits::as_stored(Table::stored).rows[Table::of_square + 1];
+  for(const double* line = end - Table::expected * tables::row_length; line < end; line += 8)
+    __builtin_prefetch(line);
 }
 
 // Infinite at zero, NaN where there is no value.
@@ -287,7 +288,7 @@ double agm(double a, double b)
 double K(double k)
 {
   using Table = rows::K_by_modulus;
-  expect_square<Table>();
+  expect_usual<Table>();
   const double x = bits::made(1) - k;
   if(rows::beyond_start<Table>(x) <= rows::reach<Table>) [[likely]]
     return rounded(looked_up(k, x));
@@ -330,7 +331,7 @@ double ratio_from_bottom(double zeta)
 {
   using Table = rows::Ratio_by_eta;
   constexpr double last = pi_hi - Table::start;  // whose η has a row
-  expect_square<Table>();
+  expect_usual<Table>();
   const rows::Angles<double> a = rows::from_bottom(zeta, bits::made(pi_hi), bits::made(pi_lo));
   if(bits::bits_of(zeta) <= bits::bits_of(last)) [[likely]]
     return rounded(looked_up(a));
