@@ -9,35 +9,13 @@ import { pathToFileURL } from 'node:url';
 import { asText, format } from '../../book/numbers.mjs';
 import { packages } from '../../book/packages.mjs';
 import { rows } from '../../book/table.mjs';
+import { launch } from './browser.mjs';
 import { settings } from './settings.mjs';
 import { shown } from './shown.mjs';
 
 const [site, bin] = process.argv.slice(2).map((p) => path.resolve(p));
-const executablePath = [
-  process.env.BROWSER,
-  '/usr/bin/chromium',
-  '/usr/bin/chromium-browser',
-  '/usr/bin/google-chrome',
-].find((p) => p && fs.existsSync(p));
-if (!executablePath) {
-  console.error('no browser (chromium): the live pages were not tried');
-  process.exit(process.env.CI ? 1 : 77);
-}
-const { chromium } = packages('playwright-core');
 const axe = fs.readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
-const browser = await chromium.launch({
-  executablePath,
-  args: [
-    '--no-sandbox',
-    '--disable-gpu',
-    '--disable-background-networking',
-    '--disable-component-update',
-    '--disable-sync',
-    '--no-first-run',
-    '--js-flags=--expose-gc',
-    '--enable-precise-memory-info',
-  ],
-});
+const browser = await launch('the live pages were not tried', ['--js-flags=--expose-gc', '--enable-precise-memory-info']);
 const faults = [];
 const expect = (holds, what) => holds || faults.push(what);
 const address = (name) => pathToFileURL(path.join(site, `${name}.html`)).href;

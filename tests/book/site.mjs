@@ -5,31 +5,11 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { packages } from '../../book/packages.mjs';
+import { launch } from './browser.mjs';
 
 const site = path.resolve(process.argv[2]);
-const executablePath = [
-  process.env.BROWSER,
-  '/usr/bin/chromium',
-  '/usr/bin/chromium-browser',
-  '/usr/bin/google-chrome',
-].find((p) => p && fs.existsSync(p));
-if (!executablePath) {
-  console.error('no browser (chromium): the book was not looked at');
-  process.exit(process.env.CI ? 1 : 77);
-}
-const { chromium } = packages('playwright-core');
 const axe = fs.readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
-const browser = await chromium.launch({
-  executablePath,
-  args: [
-    '--no-sandbox',
-    '--disable-gpu',
-    '--disable-background-networking',
-    '--disable-component-update',
-    '--disable-sync',
-    '--no-first-run',
-  ],
-});
+const browser = await launch('the book was not looked at');
 
 const faults = [];
 const pages = fs
