@@ -321,6 +321,17 @@ for (const file of fs
       text,
       rank: ours ? 1 : 0.2,
     });
+  // A word of the glossary is found by itself, too: whoever asks for it wants its meaning before its uses.
+  if (name === 'glossary')
+    for (const [, id, term, meaning] of body.matchAll(/<dt id="([^"]+)">([^]*?)<\/dt>\s*<dd>([^]*?)<\/dd>/g))
+      documents.push({
+        id: documents.length,
+        page: `${file}#${id}`,
+        title: words(term),
+        shown: `Glossary: ${words(term)}`,
+        text: words(meaning),
+        rank: 1,
+      });
 }
 
 // -------------------------------------------------------------------------------------- search, links, files

@@ -15,7 +15,7 @@ export const folded = (term) => {
   return plain.replace(/v/g, 'u').replace(/j/g, 'i') || null;
 };
 
-export const options = { fields: ['title', 'text'], storeFields: ['page', 'title', 'text', 'rank'] };
+export const options = { fields: ['title', 'text'], storeFields: ['page', 'title', 'shown', 'text', 'rank'] };
 
 /** The words of a text, folded, between blanks: so that a phrase is a piece of it. */
 const phraseOf = (text) => ` ${[...text.matchAll(/[\p{L}\p{N}]+/gu)].map((m) => folded(m[0])).join(' ')} `;
@@ -76,12 +76,12 @@ async function look(query) {
   const index = window.MiniSearch.loadJS(window.bookIndex, { ...options, processTerm: folded });
   const hits = found(index, query);
   document.getElementById('found').textContent =
-    hits.length === 1 ? 'One page' : `${hits.length || 'No'} pages`;
+    hits.length === 1 ? 'One place' : `${hits.length || 'No'} places`;
   document.getElementById('results').replaceChildren(
     ...hits.slice(0, 50).map((hit) => {
       const item = document.createElement('li');
       item.append(
-        Object.assign(document.createElement('a'), { href: hit.page, textContent: hit.title }),
+        Object.assign(document.createElement('a'), { href: hit.page, textContent: hit.shown ?? hit.title }),
         excerpt(hit.text, hit.terms, asked(query).phrases[0]),
       );
       return item;

@@ -40,12 +40,16 @@ function legend(points) {
     classic: ['green', 'a classical way'],
     peer: ['the colour of the letters', 'another way'],
   };
+  const registers = (p) => /, (?:sse|avx|portable)\w*$/.test(p.name);
+  const grows = (f) =>
+    points.filter((p) => p.family === f).every(registers) ? 'wider and wider registers' : 'more and more terms or steps';
   const kinds = Object.keys(colours).filter((kind) => points.some((p) => p.kind === kind));
   return [
     'Left and low is better.',
     front(points).length > 1 ? 'The dashed steps join the ways that no other beats in both.' : '',
-    families.length === 1 ? 'The solid line joins one way with more and more terms or steps.' : '',
-    families.length > 1 ? 'A solid line joins one way with more and more terms or steps.' : '',
+    families.length
+      ? `${families.length === 1 ? 'The' : 'A'} solid line joins one way with ${list([...new Set(families.map(grows))])}.`
+      : '',
     kinds.length > 1
       ? `${capital(list(kinds.map((kind, n) => colours[kind].join(n === 0 ? ' is ' : ' '))))}.`
       : '',
@@ -210,7 +214,8 @@ export function scenes(book, name) {
     `worst error${unit === '1' ? '' : ` <span class="unit">${unit}</span>`}, time`,
     ...group.scenes.map((s) => `<span class="scene">${escape(s.short.replace(/ (?==)|(?<==) | (?=[ak]$)/g, '\u00a0'))}</span>`),
   ];
-  return `${table(escape(group.name), heads, ' tight')}${rows.join('')}${tableEnd}`;
+  const title = `<caption>${asked(group.name)}</caption>`;
+  return `${table(escape(group.name), heads, ' tight').replace('<thead>', `${title}<thead>`)}${rows.join('')}${tableEnd}`;
 }
 
 /** `{{collected provenance PART}}`: on what the run of a part of the library was recorded. */

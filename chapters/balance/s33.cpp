@@ -9,7 +9,7 @@ using namespace balance;
 ## What Euler does
 
 The formulae of {{sec balance.32}} for a balance of which all three parts are let go from rest are drawn
-together by one letter,
+together by one letter. He puts
 
 $$ i = \frac{\lambda\mu\mu a}{4g}. \tag{1} $$
 
