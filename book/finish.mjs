@@ -140,7 +140,7 @@ function usedBy(file) {
     .filter(([, users]) => users.length)
     .map(([c, users]) => {
       const links = users.map(
-        (p) => `<a href="${p.name}.html" title="${said(p.title)}">§ ${p.number}</a>`,
+        (p) => `<a href="${p.name}.html" title="${said(p.title)}">§\u00a0${p.number}</a>`,
       );
       return `${escape(c.short)} ${links.join(', ')}`;
     });
