@@ -24,7 +24,7 @@ things can be told apart in what was seen.
 
 ::: margin
 Today: two equal oscillators, weakly coupled. What each does is a beat of the two modes in which both swing
-alike.
+equally far, with each other or against.
 :::
 
 Nothing in the means by which other kinds of oscillations were mastered seems to serve here; so he takes
@@ -187,7 +187,7 @@ TELL
 Bernoulli's four observations, in their order: while P makes its first swing, Q moves by {{Q_first|2}} of the
 pull. After {{T|4}} s, or {{swings|3}} swings, P is at rest but for {{P_rest|2}}, and Q swings by
 {{Q_full|4}}. After twice the time P has {{P_again|4}} of its swing again. All the while the beam leans by
-{{beam|1}} at the most, and the shears by {{shears|2}}: whoever looks at the pans sees the beam at rest. With
+{{beam|2}} at the most, and the shears by {{shears|2}}: whoever looks at the pans sees the beam at rest. With
 $C$ held fast Q would have got {{held|2}}.
 
 {{table scene}}

@@ -96,7 +96,7 @@ TELL
 }
 
 /*!
-A swing of ten degrees takes {{ratio|7}} times as long as a very small one. With strings that differ by one
+A swing of {{n}} takes {{ratio|7}} times as long as a very small one. With strings that differ by one
 per cent Q gets {{gets|3}} of the swing, if equal pans would hand over everything in the {{balance.01.T|4}}
 seconds of {{sec balance.01}}.
 

@@ -111,16 +111,16 @@ TELL
 
 /*!
 From $x = {{x|5}}$, $y = {{y|5}}$, $x' = {{x1|5}}$ and $y' = {{y1|5}}$ ft the angles come out again, ω as
-{{omega_found|deg1}}. Were $x$ misread by a hundredth of a foot, half the beam would come out as
-{{beam_found|5}} ft instead of 2, and one would know.
+{{omega_found|deg1}}. Were $x$ misread by {{slip}} ft, half the beam would come out as
+{{beam_found|5}} ft instead of {{a}}, and one would know.
 
 ::: figure balance-05
 alt: A level beam ACB, from whose ends strings hang down into two curves. Each curve goes three times from
 side to side while it goes down and up once, the left one wider than the right one.
 
 The paths of P and Q while the beam of {{sec balance.35}} swings once: the strings lead out and in, three
-times, and the ends of the beam down and up. Both pans are pushed in the vertical while the beam is let go
-at 8°.
+times, and the ends of the beam down and up. Both pans hang straight down and are pushed at the moment at
+which the beam is let go at 8°.
 :::
 
 ## Checks

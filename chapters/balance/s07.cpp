@@ -191,7 +191,7 @@ const Emendation urged{"§7, what gravity does to the pans",
 The beam is level and at rest, both strings hang straight, and P passes its lowest place at 3 radians a
 second. By how much does its string pull more than the weight? And were the beam as heavy as a house?
 answer: With a beam that cannot yield by $b\dot\eta^2:2g$, here the whole weight once more. The beam given
-yields, and spares the string the part $\rho = Laa:(M(kk+cc)+2Laa)$ of it: 0.69 remain.
+yields, and spares the string the part $\rho = Laa:(M(kk+cc)+2Laa)$ of it: 0.69 of it remains.
 :::
 */
 

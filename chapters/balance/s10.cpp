@@ -162,7 +162,7 @@ TELL
 }
 
 /*!
-Let go in that attitude the strings pull with {{P|4}} and {{Q|4}} of a pan's weight, and after ten seconds the
+Let go in that attitude the strings pull with {{P|4}} and {{Q|4}} of a pan's weight, and after {{t}} s the
 beam stands at {{omega_t|deg2}}, the strings at {{eta_t|deg2}} and {{theta_t|deg2}}. The strings remain taut:
 the least pull is {{slackest|3}}.
 

@@ -272,7 +272,7 @@ double length(int sign)  // f from V and (2): [M(kk + cc) ± 2Laa] : Mc
 }
 
 const Emendation minus_again{
-    "§12, V, the minus; with (2) the length f for M = 2, L = ½, a = 2, kk = 4/3, c = 0,1",
+    "§12, V, the minus; with (2) the length f for M = 2, L = ½, a = 2, kk = 4/3, c = 0.1",
     {"before the whole fraction", [] { return length(-1); }},
     {"before Mcω alone", [] { return length(1); }},
     "the full equations, at an inclination of 1e-12, accelerate the beam as such a pendulum",

@@ -174,7 +174,7 @@ TELL
 
 /*!
 In the example the mean frequency differs from μ by {{shift|e4}} 1/s, by {{eq C}} {{shift_by_C|e4}}. After
-{{t}} s the pan stands at {{eta|5}}; the simple pendulum {{eq 2}} would be at {{eta_by_2|5}}.
+{{t}} s the pan stands at {{eta|5}} of the radius; the simple pendulum {{eq 2}} would be at {{eta_by_2|5}}.
 
 {{table intervals}}
 

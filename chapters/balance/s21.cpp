@@ -16,7 +16,7 @@ would be in equilibrium in every position. This was noted before ({{sec balance.
 
 $$ c = 0, \quad f = \infty, \quad \lambda = \sqrt{\frac{2g}f} = 0. \tag{1} $$
 
-Then both pans could swing apart, neither being disturbed by the other. The formulae show it plainly, says
+Then each pan could swing by itself, undisturbed by the other. The formulae show it plainly, says
 Euler, as the members that the beam's motion has added vanish. There remain
 
 $$ \begin{gathered} \eta = \mathfrak A\sin(\alpha+\mu t),\\
@@ -226,7 +226,7 @@ TELL
 
 /*!
 With $G$ a tenth of a foot above $C$ the beam falls at the rate κ = {{kappa|5}} 1/s, from {{m}} to 30° in
-{{falls|4}} s; a tenth of $m$ would only take $\ln10:\kappa$ longer. With $G$ in $C$ the pans let it swing
+{{falls|4}} s; from a tenth of $m$ it would take only $\ln10:\kappa$ longer. With $G$ in $C$ the pans let it swing
 with Λ = {{Lambda|4}} 1/s.
 
 {{table fates}}

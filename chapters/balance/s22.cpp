@@ -29,7 +29,7 @@ formulae, and much rests on it: $2\mu-\lambda$, by which he divides, is then not
 frequencies of his example ({{sec balance.35}}).
 
 How small can λ be made, and how great? The ratio is one of two lengths, and by (1) $f$ has a least value,
-which $c$ takes when it equals $f:2$:
+that at $c = f:2$:
 
 $$ \frac\lambda\mu = \sqrt{\frac bf}, \qquad f \ge 2\sqrt{kk + \frac{2Laa}M}. \tag{A} $$
 

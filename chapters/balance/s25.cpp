@@ -129,7 +129,7 @@ TELL
   tell("theta_rate", double(Q.rate), Unit{"1/s"}, "dϑ:dt", 15);
   const Fifty K = K_of<Fifty>(lambda.fifty(), mu.fifty(), a.fifty(), g.fifty(), m.fifty());
   tell("wider", double(K), "K, by what part the swing is wider when the beam is at m, (A)", 15);
-  tell("ahead", double(tone(-1) + tone(1)), "H, by how much the swing is behind at the most, (A)", 15);
+  tell("ahead", double(tone(-1) + tone(1)), "H, by how much the swing is behind or ahead at the most, (A)", 15);
 }
 
 TELL
@@ -146,7 +146,7 @@ TELL
 
 /*!
 In Euler's example the swing is wider by {{wider|4}} of itself when the beam stands at $m$; its phase is
-behind, at the most, by {{ahead|4}} of the radius.
+behind or ahead by {{ahead|4}} of the radius at the most.
 
 ::: figure balance-25
 alt: Two waves over two swings of the beam to and fro. The one of the phase is six times as high as that of

@@ -32,7 +32,7 @@ $K$ being that of {{sec balance.26}}; to start at $n$ and $n'$ they need
 
 $$ \mathfrak A = \frac n{1+K}, \qquad \mathfrak B = \frac{n'}{1-K}. \tag{A} $$
 
-More weighs what (3) leaves out. Each pan's motion depends on its own first inclination alone; change $n'$,
+What (3) leaves out weighs more. Each pan's motion depends on its own first inclination alone; change $n'$,
 and η is the same. In truth the two exchange what they have ({{sec balance.31}}), and now one can see what
 that means when both have something. The sum of the swings, $\eta+\vartheta$, and their difference go on with
 two slightly different frequencies. After the time

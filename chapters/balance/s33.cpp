@@ -70,7 +70,7 @@ TELL
                       from = euler_start<Fifty>(r), own = euler_corrected<Fifty>(r, t.fifty()),
                       second = second_order<Fifty>(r, t.fifty());
   auto& rows =
-      table("motion", "Beam and pans in radians",
+      table("motion", "Beam and pans in radians, their rates in radians a second",
             {{"what", "what"}, {"omega", "ω", none, 14}, {"eta", "η", none, 14}, {"theta", "ϑ", none, 14}});
   const auto row = [&rows](const char* what, const Angles<Fifty>& x) {
     rows.row({what, double(x.omega), double(x.eta), double(x.theta)});

@@ -181,11 +181,11 @@ const Emendation beams_angle{"§34, the angle of the beam's motion",
 ::: exercise
 At what depth of its centre of gravity does a beam make its pans the most irregular?
 answer: Where it is the quickest, since $i = a\lambda:2b$ and only λ contains $c$: at
-$c = \sqrt{kk+2Laa:M}$ ({{sec balance.14}}). In the example that is $\sqrt5$ ft, and $i$ would be 1.34.
+$c = \sqrt{kk+2Laa:M}$ ({{sec balance.14}}). In the balance given that is $\sqrt5$ ft, and $i$ would be 1.34.
 :::
 */
 
-CHECK_THAT("i is the greatest at the c of the quickest beam, where it is 1.34 in the example")
+CHECK_THAT("i is the greatest at the c of the quickest beam, where it is 1.34 in the balance given")
 {
   double most = 0;
   for(const Told& now : told_at("c=2.2360679774997898", "c=2.2", "c=2.27", "c=1", "c=5"))
