@@ -129,7 +129,8 @@ TELL
   tell("theta_rate", double(Q.rate), Unit{"1/s"}, "dϑ:dt", 15);
   const Fifty K = K_of<Fifty>(lambda.fifty(), mu.fifty(), a.fifty(), g.fifty(), m.fifty());
   tell("wider", double(K), "K, by what part the swing is wider when the beam is at m, (A)", 15);
-  tell("ahead", double(tone(-1) + tone(1)), "H, by how much the swing is behind or ahead at the most, (A)", 15);
+  tell("ahead", double(tone(-1) + tone(1)), "H, by how much the swing is behind or ahead at the most, (A)",
+       15);
 }
 
 TELL
