@@ -242,6 +242,24 @@ CHECK_THAT("the angles are those of §§ 17 and 18, and the velocities their cha
   }
 }
 
+CHECK_THAT("the program refuses λ = 2μ, and not what is next to it")
+{
+  CHECK(refused_at("lambda=6"));
+  CHECK(refused_at("lambda=1 mu=0.5"));
+  CHECK(!refused_at("lambda=5.9999999999999991"));
+  CHECK(!refused_at("lambda=9"));
+}
+
+CHECK_THAT("the table ends where angles, arm, time or the ratio of the frequencies are no more moderate")
+{
+  for(const Told& now :
+      told_at("A=28.6 B=-28.6 C=28.6", "a=7.1", "a=0.036", "lambda=0.151", "lambda=5.69", "t=99"))
+    CHECK(now.rows("missing").size() == 3);
+  for(const Told& now :
+      told_at("A=28.7", "B=-28.7", "C=28.7", "a=7.2", "a=0.035", "lambda=0.149", "lambda=5.71", "t=101"))
+    CHECK_THROWS(now.rows("missing"));
+}
+
 CHECK_THAT("the formulae miss the full equations, here by GSL, by the square of the amplitudes")
 {
   for(const Told& now :

@@ -240,6 +240,12 @@ CHECK_THAT(
   CHECK(!refused_at("lambda=5 mu=20 beta=0.05 rho=0.45 n=0.02 n1=-0.01 t=100"));
 }
 
+CHECK_THAT("it refuses pans that swing less than six tenths as fast as the beam")
+{
+  CHECK(refused_at("lambda=5 mu=2.99"));
+  CHECK(!refused_at("lambda=5 mu=3"));
+}
+
 CHECK_THAT("ten times smaller swings miss (A) by a thousandth: the third order is next")
 {
   const auto missed = [](double swing) {

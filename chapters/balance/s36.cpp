@@ -474,6 +474,14 @@ std::string in_words(const Fifty& angle)  // the whole minutes next to it, by tr
          + std::to_string(whole % 60) + "′";
 }
 
+CHECK_THAT("it refuses pans slower than the beam, and an arm of more than twice the string")
+{
+  for(const char* const within_them : {"mu=1", "i=1"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"mu=0.999", "i=1.001"})
+    CHECK(refused_at(beyond));
+}
+
 CHECK_THAT("a row of any table is the formula, rounded to the minute")
 {
   for(const Told& now :

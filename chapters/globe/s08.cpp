@@ -310,6 +310,21 @@ CHECK_THAT(
   }
 }
 
+CHECK_THAT("it follows what lies within the limits that it names, and refuses what lies beyond")
+{
+  for(const char* const within_them :
+      {"c=0.999 v=0 mu=0 end=0.01", "k=100 mu=0", "k=0.01 v=0 mu=0 end=0.01", "g=1 w=100 v=100 end=0.01",
+       "g=1 v=-1000 end=0.01", "g=1 v=0 end=100"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"c=1 v=0 mu=0 end=0.01", "k=100.1 mu=0", "k=0.00999 v=0 mu=0 end=0.01",
+       "g=1 w=100.1 v=100.1 end=0.01", "g=1 v=-1000.1 end=0.01", "g=1 v=0 end=100.1"})
+    CHECK(refused_at(beyond));
+  const double limit = rolling::painleve(rounded(our_ball<Fifty>)).mu;
+  CHECK(!refused_at("mu=" + std::to_string(0.999 * limit)));
+  CHECK(refused_at("mu=" + std::to_string(1.001 * limit)));
+}
+
 CHECK_THAT("the two motions of the cradle are those of Newton's equations, too")
 {
   for(const Told& now : told_at(""))

@@ -250,6 +250,14 @@ exact::Series<Number> expanded(const Number& q, int order)  // the root in (A), 
   return root;
 }
 
+CHECK_THAT("it refuses a ball that turns over, and ratios of c to k that are beyond its limits")
+{
+  for(const char* const within_them : {"h=0.999", "c=50 k=0.5", "c=1 k=1e40"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"h=1", "c=50.1 k=0.5", "c=1 k=1.1e40"})
+    CHECK(refused_at(beyond));
+}
+
 CHECK_THAT("the coefficients of (B) are those of the mean of the expanded root, exactly")
 {
   // In X the root's square is (1 + 4q X(1 − X)):(1 − X); the mean of sin²ⁿϑ is 1·3·5…(2n−1) : 2·4·6…2n.

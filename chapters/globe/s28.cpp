@@ -241,6 +241,14 @@ CHECK_THAT("the times and angles told are those of the integral (2), from rest t
     CHECK(now.value("t_1", seconds) == infinite("the top"));
 }
 
+CHECK_THAT("it refuses balls and times beyond its limits, and follows what lies within them")
+{
+  for(const char* const within_them : {"c=1e9 k=1", "h=1 t=425", "t=1e6"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=1.1e9 k=1", "h=1 t=426", "t=1.5e6"})
+    CHECK(refused_at(beyond));
+}
+
 CHECK_THAT("the equations of motion bring the ball to the angle asked for in the time told")
 {
   for(const Told& now : told_at("", "h=3 Phi=150", "zeta=15 Phi=90 c=0.5 k=0.5", "h=1 Phi=120"))
@@ -306,6 +314,9 @@ CHECK_THAT("the table, the race and the figure are the integral, the rule in fif
                 oracle::gauss(
                     n, [&](const Fifty& theta) { return rate(ball, e, theta); }, 0, theta_of(e, at)),
                 1e-13, "rounded nodes and angle"));
+    if(e.from_top > 0.1)
+      CHECK(now.method("time", "Gauss, 32 nodes")
+            == within_relative(time, 1e-13, "the rule has converged: rounded nodes and angle"));
   }
   for(const Told& now : told_at(""))
   {

@@ -253,7 +253,8 @@ Fifty by_entries(const Fifty& alpha, int rows_kept)  // (2), row by row from the
 
 CHECK_THAT("the time told is the oracle's, and what rows and columns leave out is what they lack of it")
 {
-  for(const Told& now : told_at("", "eta=90 rows=12 columns=4", "eta=1e-200rad rows=3 columns=1"))
+  for(const Told& now :
+      told_at("", "eta=90 rows=12 columns=4", "eta=1e-200rad rows=3 columns=1", "eta=1 rows=0 columns=11"))
   {
     const Fifty alpha = swing_.eta.fifty() / 2, K = swing::oracle::K_from_complement(sin(alpha));
     const double size = static_cast<double>(K);

@@ -173,6 +173,14 @@ CHECK_THAT("M, G and the arc told are those of a cycloid and a thread of the len
   }
 }
 
+CHECK_THAT("it refuses an angle beyond the end of the swing, and a k beyond its limits")
+{
+  for(const char* const within_them : {"phi0=30 phi=30", "k=1e-80", "k=1e20"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"phi0=30 phi=30.01", "k=9.9e-81", "k=1.01e20"})
+    CHECK(refused_at(beyond));
+}
+
 CHECK_THAT("the thread touches the cheek, and G moves across it by r dφ, by differences")
 {
   const Fifty h("1e-15");

@@ -328,6 +328,22 @@ CHECK_THAT("after the time told the body, which passed C with its greatest speed
     CHECK(now.value("risen", seconds) == within(0, 0, "no time"));
 }
 
+CHECK_THAT(
+    "it refuses an angle beyond the swing, one that winds up nearly all of the thread, and an extreme k")
+{
+  for(const int which : {2, 3})
+  {
+    const double last = 0.99 * largest_amplitude(Cheeks(which), 1);
+    const std::string setting = "k=1 phi=1 cheeks=" + std::to_string(which) + " phi0=";
+    CHECK(!refused_at(setting + std::to_string(0.9999 * last) + "rad"));
+    CHECK(refused_at(setting + std::to_string(1.0001 * last) + "rad"));
+  }
+  for(const char* const within_them : {"phi0=30 phi=30", "k=1e-9", "k=1e9"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"phi0=30 phi=30.01", "k=9.9e-10", "k=1.01e9"})
+    CHECK(refused_at(beyond));
+}
+
 CHECK_THAT("in the figure the midpoints in φ err by ζ(½, ½) = −0.6049 times the root of a strip, the "
            "others as in fifty digits")
 {
