@@ -47,8 +47,8 @@ of Euler's form begins, and others from which many do ({{sec balance.27}}).
 Today: the map from constants to initial data is invertible where {{eq C}} does not vanish.
 :::
 
-A consequence is easily overlooked. The amplitude 𝔄 of the regular swing is not the angle by which the
-pan is pulled aside, nor is α = 90° when it is let go at rest. Both depend on where the beam is at that moment.
+A consequence is easily overlooked. The amplitude 𝔄 of the regular swing is not the angle by which the pan
+is pulled aside, nor is α = 90° when it is let go at rest. Both depend on where the beam is at that moment.
 
 ## The program
 

@@ -226,8 +226,8 @@ TELL
 
 /*!
 With $G$ a tenth of a foot above $C$ the beam falls at the rate κ = {{kappa|5}} 1/s, from {{m}} to 30° in
-{{falls|4}} s; from a tenth of $m$ it would take only $\ln10:\kappa$ longer. With $G$ in $C$ the pans let it swing
-with Λ = {{Lambda|4}} 1/s.
+{{falls|4}} s; from a tenth of $m$ it would take only $\ln10:\kappa$ longer. With $G$ in $C$ the pans let it
+swing with Λ = {{Lambda|4}} 1/s.
 
 {{table fates}}
 

@@ -113,9 +113,9 @@ TELL
 }
 
 /*!
-In the example $K$ is {{K|4}}, far from 1; it would be 1 if the beam had the frequency {{one|6}} 1/s, and −1 at
-{{minus_one|6}} 1/s. Both lie between {{from|6}} and {{to|6}} 1/s, the bounds within which the pan's true equation has
-growing solutions.
+In the example $K$ is {{K|4}}, far from 1; it would be 1 if the beam had the frequency {{one|6}} 1/s, and −1
+at {{minus_one|6}} 1/s. Both lie between {{from|6}} and {{to|6}} 1/s, the bounds within which the pan's true
+equation has growing solutions.
 
 ::: figure balance-27
 alt: A curve that starts level at zero and then swings. The swings grow for about six of them, to twice the

@@ -29,8 +29,8 @@ where ρ is the share of one pan in the whole inertia. After the time in which t
 
 $$ T_3 = \frac{2\pi\,|\mu^2-4\lambda^2|}{\rho\,\mu^3m^2}, \tag{B} $$
 
-the pan that was let go alone is at rest and the other swings in its place. Both frequencies are besides lowered a
-little, as Mathieu's equation ({{sec balance.15}}) has it; that of the sum then differs from μ by
+the pan that was let go alone is at rest and the other swings in its place. Both frequencies are besides
+lowered a little, as Mathieu's equation ({{sec balance.15}}) has it; that of the sum then differs from μ by
 
 $$ -\frac{a^2}{b^2}\,\frac{\lambda^4m^2}{4\mu(4\mu^2-\lambda^2)}. \tag{C} $$
 
@@ -138,9 +138,9 @@ By Euler Q would keep to the line of zero.
 
 At the sixth of the radius that he has the exchange takes longer than {{eq B}} by {{longer|2}}: there (B) is
 but an estimate, since what is of the order of the angles' squares beside it is left out, and angles of the
-pan count as much as those of the beam. Halve the angles, and (B) comes nearer. In this example, besides, the pans'
-frequency is three times the beam's: at small swings of P beside a wide one of the beam this stirs both pans
-alike ({{sec balance.28}} has the same at twice the beam's), and Q can get more than P had.
+pan count as much as those of the beam. Halve the angles, and (B) comes nearer. In this example, besides,
+the pans' frequency is three times the beam's: at small swings of P beside a wide one of the beam this stirs
+both pans alike ({{sec balance.28}} has the same at twice the beam's), and Q can get more than P had.
 
 ## Checks
 */

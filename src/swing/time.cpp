@@ -116,7 +116,7 @@ SWING_INLINE void expect_below()
 template <class Table>
 SWING_INLINE void expect_usual()
 {
-  const double* const end = bits::as_stored(Table::stored).rows[Table::of_square + 1];
+  const double* const end = bits::as_stored(Table::stored).rows[Table::of_square] + tables::row_length;
   for(const double* line = end - Table::expected * tables::row_length; line < end; line += 8)
     __builtin_prefetch(line);
 }
