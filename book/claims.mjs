@@ -4,9 +4,10 @@ import { escape, said } from './escape.mjs';
 export const verdict = (holds) =>
   `<span class="verdict ${holds ? 'holds' : 'fails'}">${holds ? '✓ holds' : '✗ fails'}</span>`;
 
-/** The table's opening, with what a keyboard needs to scroll it. */
-export const table = (label, heads, more = '') =>
-  `<div class="table broad${more}" tabindex="0" role="group" aria-label="${label}"><table><thead><tr>` +
+/** The table's opening, with what a keyboard needs to scroll it; with a title to be seen, if there is one. */
+export const table = (label, heads, more = '', title = '') =>
+  `<div class="table broad${more}" tabindex="0" role="group" aria-label="${label}"><table>` +
+  `${title && `<caption>${title}</caption>`}<thead><tr>` +
   `${heads.map((h) => `<th scope="col">${h}</th>`).join('')}</tr></thead>\n<tbody>\n`;
 export const tableEnd = '</tbody></table></div>\n';
 

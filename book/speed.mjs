@@ -214,8 +214,7 @@ export function scenes(book, name) {
     `worst error${unit === '1' ? '' : ` <span class="unit">${unit}</span>`}, time`,
     ...group.scenes.map((s) => `<span class="scene">${escape(s.short.replace(/ (?==)|(?<==) | (?=[ak]$)/g, '\u00a0'))}</span>`),
   ];
-  const title = `<caption>${asked(group.name)}</caption>`;
-  return `${table(escape(group.name), heads, ' tight').replace('<thead>', `${title}<thead>`)}${rows.join('')}${tableEnd}`;
+  return `${table(escape(group.name), heads, ' tight', asked(group.name))}${rows.join('')}${tableEnd}`;
 }
 
 /** `{{collected provenance PART}}`: on what the run of a part of the library was recorded. */

@@ -29,10 +29,10 @@ struct K_by_modulus
   static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
   static constexpr std::uint64_t of_square = 32;               ///< the row for all k up to ½
   static constexpr double square_from = 0.5;                   ///< the first x that has it
-  static constexpr std::uint64_t expected = 6;      ///< rows asked for at once: all k up to 25/32
-  static constexpr bool sloping = false;            ///< whether rows have a slope
-  static constexpr bool squared = false;            ///< whether z is x²; else it is x
-  static constexpr bool down_to_subnormal = false;  ///< whether x may be as small as that
+  static constexpr std::uint64_t expected = 6;                 ///< rows asked for at once: k up to 25/32
+  static constexpr bool sloping = false;                       ///< whether rows have a slope
+  static constexpr bool squared = false;                       ///< whether z is x²; else it is x
+  static constexpr bool down_to_subnormal = false;             ///< whether x may be as small as that
 };
 
 /// K by x = kc.
@@ -56,10 +56,10 @@ struct Ratio_by_eta
   static constexpr unsigned shift = 50;                        ///< of the bits that tell the row
   static constexpr std::uint64_t of_square = 31;               ///< the row for all η from 25/16 on
   static constexpr double square_from = 25.0 / 16;             ///< the first x that has it
-  static constexpr std::uint64_t expected = 1;     ///< rows asked for at once: that of the square
-  static constexpr bool sloping = true;            ///< whether rows have a slope
-  static constexpr bool squared = true;            ///< whether z is x²; else it is x
-  static constexpr bool down_to_subnormal = true;  ///< whether x may be as small as that
+  static constexpr std::uint64_t expected = 1;                 ///< rows asked for at once: this one
+  static constexpr bool sloping = true;                        ///< whether rows have a slope
+  static constexpr bool squared = true;                        ///< whether z is x²; else it is x
+  static constexpr bool down_to_subnormal = true;              ///< whether x may be as small as that
 };
 
 /// An x below this is tiny: its square is nothing beside 1.
