@@ -198,7 +198,7 @@ export function sectionPage(s, book) {
         e.block.line,
         `nothing in the account refers to this ${e.kind}: put {{entry ${e.name}}} where its reading stands, or declare it not_shown`,
       );
-  for (const name of s.check.uncovered) fault(1, `no check looks at ${name}`);
+  for (const what of s.check.uncovered) fault(1, what);
 
   const says =
     heading('What it says') +

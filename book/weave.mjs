@@ -80,6 +80,16 @@ function tooLong(file, text) {
   });
 }
 
+/** Holds every require() of a section to what the checks have met: one limit each, and none that no run comes to. */
+function limitsMet(text, file, met) {
+  for (const m of text.matchAll(/\brequire\(([^;]*?), *(?:[\w.]+ [^,]*\? )?"[^;]*;/g)) {
+    const line = text.slice(0, m.index).split('\n').length;
+    const last = line + m[0].split('\n').length - 1;
+    if (m[1].includes('&&')) fault(file, line, 'a require() has one limit; two are two');
+    if (!met.some((n) => n >= line && n <= last)) fault(file, line, 'no check comes to this require()');
+  }
+}
+
 /** The formulae that prose gives; a number that is given twice is a fault. */
 function equationsOf(prose, file) {
   const equations = new Set();
@@ -118,6 +128,7 @@ function section(name) {
     const speeds = path.join(source, `book/speeds/${name}.json`);
     const told = checked('section', from('json'));
     const check = checked('check', from('check.json'));
+    limitsMet(text, file, check.limits);
     const declared = Object.keys(kinds).flatMap((list) => told[list]);
     const counted = {};
     const entries = all

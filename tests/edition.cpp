@@ -237,6 +237,48 @@ TEST_CASE("a block tells again only where a parameter that it read is another, o
   s.telling.clear();
 }
 
+TEST_CASE("a limit is met on both sides by two settings that differ in what the refusal names alone, and "
+          "by little")
+{
+  Section& s = scene();
+  const Ledger before = std::exchange(ledger(), Ledger{});
+  const auto at = [&s](const std::string& setting,
+                       const std::vector<std::pair<std::string, std::string>>& given) {
+    set_parameters(s, given);
+    ledger().setting = setting;
+    try
+    {
+      require(parameter(s, "b").exact <= parameter(s, "n").exact, "b", "at most n");
+    }
+    catch(const BadInput&)
+    {
+    }
+  };
+  const auto met = [] {
+    return ledger().limits.size() == 1 && both_sides(ledger().limits.begin()->second);
+  };
+  at("outside a check run nothing is kept", {{"n", "1"}, {"b", "1"}});
+  CHECK(ledger().limits.empty());
+  ledger().running = true;
+  at("kept", {{"n", "2"}, {"b", "1.99"}});
+  CHECK(!met());
+  CHECK(one_sided(ledger().limits.begin()->first, ledger().limits.begin()->second)
+            .ends_with("is not seen to refuse anything"));
+  at("far", {{"n", "2"}, {"b", "2.02"}});
+  CHECK(!met());
+  at("by another", {{"n", "1"}, {"b", "1.99"}});
+  CHECK(!met());
+  at("by two", {{"n", "2"}, {"b", "2.001"}, {"whole", "80"}});
+  CHECK(!met());
+  CHECK(one_sided(ledger().limits.begin()->first, ledger().limits.begin()->second).find("by two")
+        == std::string::npos);
+  at("near", {{"n", "2"}, {"b", "2.001"}});
+  CHECK(met());
+  CHECK(ledger().limits.begin()->first.first == "edition.cpp");
+  ledger() = before;
+  set_parameters(s, {});
+}
+
 TEST_CASE("words in a claim are shown, and not the place in the memory where they lie")
 {
   const char* const words = "Huygens";

@@ -190,6 +190,10 @@ std::string json_report(const Section& s, const Outcome& o)
     if(looked.infinite)
       j["infinite"].push_back(key);
   }
+  j["limits"] = ordered_json::array();
+  for(const auto& [place, limit] : ledger().limits)
+    if(place.first == "chapters/" + s.file())
+      j["limits"].push_back(place.second);
   j["uncovered"] = o.uncovered;
   j["apparatus"] = ordered_json::array();
   for(const EntryTried& t : o.tried)
@@ -300,6 +304,7 @@ CheckResult run_checks(Section& s, const std::vector<std::string>& doctest_argum
   cases_run().clear();
   ledger() = Ledger{};
   ledger().own = s.parameters;
+  ledger().running = true;
   const bool ran = context.run() == 0;
   if(question)
     return {ran, ""};

@@ -415,13 +415,14 @@ void set_parameters(Section& s, const std::vector<std::pair<std::string, std::st
     keep_to_others(p);
 }
 
-void require(bool possible, const char* parameter, const char* allowed_in_words)
+void require(bool possible, const char* parameter, const char* allowed_in_words, Source source)
 {
-  if(possible)
-    return;
   const ParameterEntry* const p = find(section(), parameter);
   if(!p)
     throw std::logic_error(fmt::format("require() names \"{}\", which is no parameter", parameter));
+  meet_limit(source, possible, static_cast<std::size_t>(p - section().parameters.data()));
+  if(possible)
+    return;
   throw BadInput(fmt::format("--{}: {} is not possible here; allowed: {}", p->name,
                              p->given.empty() ? with_unit(show(p->shown, 12), p->unit)
                                               : '"' + on_one_line(p->given) + '"',

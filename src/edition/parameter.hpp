@@ -235,7 +235,8 @@ AmplitudeParameter amplitude_from_top(double default_eta, Range range = open(0, 
                                       Source source = here());
 
 /// Refuses a combination of parameters that no scene has: one line on standard error names `parameter`,
-/// its value and what is `allowed`; the program ends with exit status 2.
-void require(bool possible, const char* parameter, const char* allowed);
+/// its value and what is `allowed`; the program ends with exit status 2. One limit each: the checks must see it
+/// from both its sides.
+void require(bool possible, const char* parameter, const char* allowed, Source source = here());
 
 }  // namespace edition

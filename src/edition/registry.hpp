@@ -228,10 +228,43 @@ struct Looked
 /// By name: `T_over_Theta`, `rows.ratio` (also of a curve), `period/AGM`, `period/exact`.
 using Coverage = std::map<std::string, Looked>;
 
+/// A limit that require() sets, as a check run has met it: the parameters of the settings on its two sides.
+struct Limit
+{
+  /// One parameter at a setting.
+  struct At
+  {
+    Fifty exact;
+    bool given;
+  };
+  /// A setting that was refused, and the parameter, by its index, that the refusal names.
+  struct Refusal
+  {
+    std::size_t named;
+    std::vector<At> at;
+  };
+
+  std::map<std::string, std::vector<At>> kept;  ///< By setting.
+  std::map<std::string, Refusal> refused;       ///< By setting.
+};
+/// Where a require() stands: file and line.
+using Place = std::pair<std::string, unsigned>;
+
+/// Keeps that the setting of the check run under way was on this side of the limit, where there is such a run.
+void meet_limit(const Source& place, bool kept, std::size_t named);
+/// Whether a limit was met on both sides: at two settings, one kept, one refused, that differ in the parameter which
+/// the refusal names and in no other, by a hundredth of it at the most (a whole number by one, and what is
+/// below 1e-9 by as much).
+bool both_sides(const Limit& limit);
+/// What is missing of a limit that was not met on both sides, in words.
+std::string one_sided(const Place& place, const Limit& limit);
+
 /// One check run's memory of what was told at which setting, and looked at.
 struct Ledger
 {
+  bool running = false;              ///< Whether checks are being run.
   std::vector<ParameterEntry> own;   ///< The reader's parameters.
+  std::map<Place, Limit> limits;     ///< What require() was asked.
   std::map<std::string, Said> said;  ///< By setting.
   Coverage coverage;
   std::string setting;           ///< Where the claims now being made are made.

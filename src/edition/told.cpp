@@ -354,6 +354,9 @@ std::vector<std::string> uncovered(Section& s)
       if(!excused(key) && claims < std::min<int>(3, static_cast<int>(c.points.size())))
         missing.push_back(fmt::format("{} is looked at at fewer than three of its points", key));
     }
+  for(const auto& [place, limit] : l.limits)
+    if(!both_sides(limit))
+      missing.push_back(one_sided(place, limit));
   return missing;
 }
 

@@ -172,6 +172,6 @@ Settings told_at(const Text&... settings)
 }
 
 /// True when the section refuses this setting, as the command line would.
-bool refused_at(const std::string& setting);
+[[nodiscard]] bool refused_at(const std::string& setting);
 
 }  // namespace edition

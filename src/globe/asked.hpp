@@ -3,6 +3,8 @@
 /// lowest place; for a place by the angle from the lowest place or by what that lacks of the top.
 #pragma once
 
+#include <algorithm>
+
 #include "edition/section.hpp"
 #include "globe/energy.hpp"
 
@@ -35,11 +37,12 @@ struct Asked_energy
   /// h beyond 1e-100 … 1e100.
   Energy<exact::Fifty> fifty(const exact::Fifty& c, const exact::Fifty& kk, const exact::Fifty& g) const
   {
+    edition::require(zeta == 0 || from_top == 0, "zeta", "0 where from_top is given");
     if(zeta == 0)
       return energy_given(h.fifty(), from_top.fifty());
-    edition::require(from_top == 0, "zeta", "0 where from_top is given");
     Energy<exact::Fifty> e = energy_of_velocity(c, kk, g, zeta.fifty());
-    edition::require(e.h >= 1e-100 && e.h <= 1e100, "zeta", "an h between 1e-100 and 1e100");
+    edition::require(e.h >= 1e-100, "zeta", "an h between 1e-100 and 1e100");
+    edition::require(e.h <= 1e100, "zeta", "an h between 1e-100 and 1e100");
     return e;
   }
   /// The same of a ball on a smooth plane, where kk is k k.
@@ -95,8 +98,8 @@ inline Asked_place asked_place(double default_Phi)
 /// Refuses a ball that the functions of rolling.hpp do not take: a or c beyond 10²⁰ √((a − c)² + kk).
 inline void require_rolling(const Ball<double>& ball)
 {
-  const double most = 1e20 * std::hypot(ball.gap, ball.k);
-  edition::require(ball.a <= most && ball.c <= most, "k", "at least 1e-20 c where c is a");
+  edition::require(std::max(ball.a, ball.c) <= 1e20 * std::hypot(ball.gap, ball.k), "k",
+                   "at least 1e-20 c where c is a");
 }
 
 }  // namespace globe

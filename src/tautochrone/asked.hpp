@@ -57,7 +57,8 @@ inline Posture<double> posture_as_written(Cheeks cheeks, double ratio,
 inline Posture<double> asked_posture(Cheeks cheeks, double ratio, const edition::Parameter<double>& phi0,
                                      const edition::Parameter<double>& phi)
 {
-  edition::require(ratio >= 1e-9 && ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
+  edition::require(ratio >= 1e-9, "k", "from 1e-9 a to 1e9 a");
+  edition::require(ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
   edition::require(phi0 < largest_amplitude(cheeks, ratio), "phi0",
                    "less than where the thread is all wound");
   return posture_as_written(cheeks, ratio, phi0, phi);

@@ -168,6 +168,7 @@ const check = {
   ],
   covers: { half: [1], 'rows.of': [1], 'half/by hand': [1] },
   infinite: [],
+  limits: [],
   uncovered: [],
   apparatus: [
     {
@@ -413,8 +414,18 @@ const faults = {
     /s11\.cpp:\d+: a race stands under the heading "Speed against error"/,
   ],
   'a number that no check looks at': [
-    ['check.json', '"uncovered":[]', '"uncovered":["half"]'],
-    /s11\.cpp:1: no check looks at half/,
+    ['check.json', '"uncovered":[]', '"uncovered":["no claim looks at half"]'],
+    /s11\.cpp:1: no claim looks at half/,
+  ],
+  'a limit that no check comes to': [
+    ['s11.cpp', 'TELL\n{', 'TELL\n{\n  require(x <= 2, "x",\n          "at most 2");'],
+    /s11\.cpp:LINE: no check comes to this require\(\)/,
+    'require(',
+  ],
+  'two limits in one': [
+    ['s11.cpp', 'TELL\n{', 'TELL\n{\n  require(x > 0 && x <= 2, x > 1 ? "x" : "y", "at most 2");'],
+    /s11\.cpp:LINE: a require\(\) has one limit; two are two/,
+    'require(',
   ],
   'code that names no formula': [
     ['s11.cpp', '// (1)', '// (2)'],
