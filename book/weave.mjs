@@ -86,7 +86,7 @@ function limitsMet(text, file, met) {
     const line = text.slice(0, m.index).split('\n').length;
     const last = line + m[0].split('\n').length - 1;
     if (m[1].includes('&&')) fault(file, line, 'a require() has one limit; two are two');
-    if (!met.some((n) => n >= line && n <= last)) fault(file, line, 'no check comes to this require()');
+    if (!met.some((at) => at.line >= line && at.line <= last)) fault(file, line, 'no check comes to this require()');
   }
 }
 

@@ -119,7 +119,8 @@ looked for at the ends of {{looks}} equal steps. The motion starts from rest and
 TELL
 {
   const double T = transfer(hung()).time, swing = std::numbers::pi / pan();
-  require(T >= 6 && T <= 40, "h", "such that the motion passes in 6 to 40 seconds");
+  require(T >= 6, "h", "such that the motion passes in 6 to 40 seconds");
+  require(T <= 40, "h", "such that the motion passes in 6 to 40 seconds");
   tell("looks", looks, "steps of a period that are looked at");
   tell("swing", swing, seconds, "one swing of a pan from side to side", 15);
   tell("T", T, seconds, "everything should have passed, (A)", 14);
@@ -332,6 +333,20 @@ CHECK_THAT("(A): the two frequencies belong to the linear equations, and T is th
     CHECK(now.value("T", seconds) == within_relative(T, 1e-15, "one quotient"));
     CHECK(now.value("swing", seconds) == within_relative(exact::pi() / mu, 5e-16, "a root"));
     CHECK(now.value("swings") == within_relative(T * mu / exact::pi(), 2e-15, "two quotients"));
+  }
+}
+
+CHECK_THAT(
+    "shears with which the motion would pass in less than 6 seconds, or in more than 40, are refused")
+{
+  for(const auto& [within_them, beyond, T] : {std::tuple{"L=3 h=5.0705", "L=3 h=5.0704", 6},
+                                              {"L=2.5 h=3.8273", "L=2.5 h=3.8272", 6},
+                                              {"L=0.5 h=7.828", "L=0.5 h=7.829", 40},
+                                              {"M=100 h=3.9734", "M=100 h=3.9735", 40}})
+  {
+    CHECK(refused_at(beyond));
+    for(const Told& now : told_at(within_them))
+      CHECK(now.value("T", seconds) == within_relative(T, 1e-4, "nearly the limit"));
   }
 }
 

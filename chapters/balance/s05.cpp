@@ -175,9 +175,25 @@ CHECK_THAT("the beam found, also with x misread, reaches to where the two lines 
 
 CHECK_THAT("where C lies nearly in line with both pans the program refuses")
 {
-  CHECK(refused_at("a=1 b=1 omega=0 eta=-80 theta=80"));
-  CHECK(refused_at("a=0.1 b=0.1 omega=0 eta=0 theta=0 slip=-0.2"));
-  CHECK(!refused_at("a=1 b=1 omega=0 eta=10 theta=-10"));
+  // at ω = 0, η = −30°, b = 2a there is x = 0, and the bound is |1 − 2 sin ϑ| = 0.03√3, at 28.2955118970° and
+  // 31.7342911694°
+  for(const std::string place :
+      {"a=1 b=2 omega=0 eta=-30 slip=0 theta=", "a=3 b=6 omega=0 eta=-30 slip=0 theta="})
+  {
+    for(const char* const within_them : {"28.295511896", "31.734291170"})
+      CHECK(!refused_at(place + within_them));
+    for(const char* const beyond : {"28.295511898", "31.734291168"})
+      CHECK(refused_at(place + beyond));
+  }
+  // with a level beam and strings that hang straight down the bound is |2a + the slip| = 0.01(a + b)²:b
+  for(const char* const within_them : {"slip=-0.195999999999 a=0.1 b=0.1 omega=0 eta=0 theta=0",
+                                       "slip=-0.204000000001 a=0.1 b=0.1 omega=0 eta=0 theta=0",
+                                       "slip=-0.390999999999 a=0.2 b=0.1 omega=0 eta=0 theta=0"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"slip=-0.196000000001 a=0.1 b=0.1 omega=0 eta=0 theta=0",
+                                  "slip=-0.203999999999 a=0.1 b=0.1 omega=0 eta=0 theta=0",
+                                  "slip=-0.391000000001 a=0.2 b=0.1 omega=0 eta=0 theta=0"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("the paths drawn are those of the motion that GSL finds")

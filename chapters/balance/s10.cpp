@@ -336,8 +336,10 @@ CHECK_THAT("at the defaults the motion until t is GSL's, its energy stands, and 
 CHECK_THAT(
     "where neighbouring motions part too far the program refuses, but not where the swings are small")
 {
-  CHECK(refused_at("t=50"));
-  CHECK(!refused_at("omega=1 eta=2 theta=-1 t=50"));
+  for(const char* const within_it : {"t=12.75", "g=32 t=9.016", "omega=1 eta=2 theta=-1 t=50"})
+    CHECK(!refused_at(within_it));
+  for(const char* const beyond : {"t=12.775", "g=32 t=9.033", "t=50"})  // twice the g, the time by √2 less
+    CHECK(refused_at(beyond));
 }
 
 /*!

@@ -161,17 +161,18 @@ TELL
   const double quick = std::max({double(lambda), double(mu), std::abs(double(omega_rate)),
                                  std::abs(double(eta_rate)), std::abs(double(theta_rate))});
   require(quick * t <= 1e4, "t", "such that no angle turns through 10000 radians");
-  require(parting(rounded(), start(), t) <= 1e4, "t",
-          "so short that a slight change does not grow ten thousand times");
+  const double grown = parting(rounded(), start(), t);
+  require(grown <= 1e4, "t", "so short that a slight change does not grow ten thousand times");
+  const int lost = int(std::ceil(std::log10(grown)));  // digits of what is told
   Motion motion(rounded(), start());
   const auto [at, rate] = motion.to(t);
   const Unit speed{"1/s"};
-  tell("omega_t", at.omega, radians, "ω at the time t, by the full equations", 14);
-  tell("eta_t", at.eta, radians, "η then", 14);
-  tell("theta_t", at.theta, radians, "ϑ then", 14);
-  tell("omega_rate_t", rate.omega, speed, "dω/dt then", 13);
-  tell("eta_rate_t", rate.eta, speed, "dη/dt then", 13);
-  tell("theta_rate_t", rate.theta, speed, "dϑ/dt then", 13);
+  tell("omega_t", at.omega, radians, "ω at the time t, by the full equations", 14 - lost);
+  tell("eta_t", at.eta, radians, "η then", 14 - lost);
+  tell("theta_t", at.theta, radians, "ϑ then", 14 - lost);
+  tell("omega_rate_t", rate.omega, speed, "dω/dt then", 13 - lost);
+  tell("eta_rate_t", rate.eta, speed, "dη/dt then", 13 - lost);
+  tell("theta_rate_t", rate.theta, speed, "dϑ/dt then", 13 - lost);
   tell("energy", energy(rounded(), start()), per_second_2, "the energy at the start, over I", 14);
   tell("energy_t", energy(rounded(), {at, rate}), per_second_2, "the same at the time t", 13);
 }
@@ -240,6 +241,45 @@ CHECK_THAT("the state told is that to which twenty digits come, and the energy i
     const Fifty all = energy(of, widened(start()));
     CHECK(now.value("energy", per_second_2) == within_relative(all, 1e-14, "some sums"));
     CHECK(now.value("energy_t", per_second_2) == within_relative(all, 1e-12, "kept, step by step"));
+  }
+}
+
+CHECK_THAT("it refuses a time in which an angle might turn through 10000 radians, be it quick by the beam, "
+           "the pans or a rate given")
+{
+  const std::string still = "omega=0 eta=0 theta=0 rho=0 beta=1e-3 ";
+  for(const char* const quick :
+      {"lambda=1000 omega_rate=0 eta_rate=0 theta_rate=0", "mu=1000 omega_rate=0 eta_rate=0 theta_rate=0",
+       "omega_rate=-1000 eta_rate=0 theta_rate=0", "omega_rate=0 eta_rate=-1000 theta_rate=0",
+       "omega_rate=0 eta_rate=0 theta_rate=-1000"})
+  {
+    CHECK(!refused_at(still + quick + " t=10"));
+    CHECK(refused_at(still + quick + " t=10.00000000000001"));
+  }
+  CHECK(!refused_at(still + "lambda=250 omega_rate=0 eta_rate=0 theta_rate=0 t=40"));
+  CHECK(refused_at(still + "lambda=250 omega_rate=0 eta_rate=0 theta_rate=0 t=40.00000000000001"));
+}
+
+CHECK_THAT("it refuses a time in which a slight change grows ten thousand times; after one nearly so long "
+           "the state told is still that of twenty digits, but for 2e-11")
+{
+  for(const auto& [within_it, beyond] :
+      {std::pair{"omega=80 eta=60 t=25.29", "omega=80 eta=60 t=25.33"},
+       {"omega=80 eta=60 rho=0.4 t=12.35", "omega=80 eta=60 rho=0.4 t=12.37"}})
+  {
+    CHECK(refused_at(beyond));
+    for(const Told& now : told_at(within_it))
+    {
+      const State<Fifty> then = oracle(rounded(), start(), t);
+      const char* const why = "roundings, ten thousand times as great";
+      const Unit speed{"1/s"};
+      CHECK(now.value("omega_t", radians) == within(then.at.omega, 2e-11, why));
+      CHECK(now.value("eta_t", radians) == within(then.at.eta, 2e-11, why));
+      CHECK(now.value("theta_t", radians) == within(then.at.theta, 2e-11, why));
+      CHECK(now.value("omega_rate_t", speed) == within(then.rate.omega, 2e-11, why));
+      CHECK(now.value("eta_rate_t", speed) == within(then.rate.eta, 2e-11, why));
+      CHECK(now.value("theta_rate_t", speed) == within(then.rate.theta, 2e-11, why));
+    }
   }
 }
 

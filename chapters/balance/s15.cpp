@@ -85,7 +85,7 @@ double pushed_by()  // (C)
 
 const auto possible = [] {
   require(mu <= 20 * lambda, "mu", "at most 20 lambda");
-  require(lambda * t <= 6e5, "t", "at most 100000 periods of the beam");
+  require(lambda * t <= 2e5 * std::numbers::pi, "t", "at most 100000 periods of the beam");
 };
 
 TELL
@@ -318,6 +318,25 @@ CHECK_THAT("the bounds in the figure, from the exponents, are Mathieu's characte
       hold("from2", "to2", 2);
       hold("from3", "to3", 3);
     }
+}
+
+CHECK_THAT("it refuses pans more than twenty times as fast as the beam, more than 100000 of its periods, "
+           "and swings that grow more than e to the 600 times")
+{
+  for(const char* const within_them :
+      {"mu=20", "lambda=0.25 mu=5", "lambda=100 t=6283.18530717958", "lambda=80 t=7853.98163397448"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"mu=20.000000000000004", "lambda=0.25 mu=5.000000000000001",
+                                  "lambda=100 t=6283.18530717959", "lambda=80 t=7853.98163397449"})
+    CHECK(refused_at(beyond));
+  for(const auto& [within_it, beyond] :
+      {std::pair{"lambda=6 t=2407.777", "lambda=6 t=2407.778"},
+       {"lambda=12 mu=6 p=0.2 t=509.1419", "lambda=12 mu=6 p=0.2 t=509.142"}})
+  {
+    CHECK(refused_at(beyond));
+    for(const Told& now : told_at(within_it))
+      CHECK(now.value("growth", per_second) == within_relative(600 / t.fifty(), 1e-6, "nearly the limit"));
+  }
 }
 
 CHECK_THAT("(C) is the beginning of the difference ν − μ, for slow beams and fast ones")

@@ -183,7 +183,15 @@ CHECK_THAT("(2) is what a string pulls whose upper end is accelerated as the bea
     CHECK(now.value("of_Q")
           == within(-(1 - raised) * theta.fifty(), std::abs(theta) * (2e-16 + close), why));
   }
-  CHECK(refused_at("f=1 b=4"));
+}
+
+CHECK_THAT("it refuses the pendulum whose λ is 2μ, a quarter of the strings, and none beside it")
+{
+  for(const char* const beside :
+      {"f=0.99999999999999999999 b=4", "f=1.00000000000000000001 b=4", "f=32.000001 b=128"})
+    CHECK(!refused_at(beside));
+  for(const char* const there : {"f=1 b=4", "f=32 b=128"})
+    CHECK(refused_at(there));
 }
 
 CHECK_THAT("δ is by how much the mean frequency lies below μ, to the square of the beam's angle")

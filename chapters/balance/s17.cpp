@@ -185,6 +185,14 @@ CHECK_THAT("M, N and η are (5), (1) and (3) as Euler writes them, with his f, i
   }
 }
 
+CHECK_THAT("λ = 2μ is refused, and not what is next to it, even where a double does not tell them apart")
+{
+  for(const char* const infinite : {"lambda=6", "lambda=1 mu=0.5"})
+    CHECK(refused_at(infinite));
+  for(const char* const beside : {"lambda=5.99999999999999999", "lambda=6.00000000000000001"})
+    CHECK(!refused_at(beside));
+}
+
 CHECK_THAT("p solves (2): integrated to thirty digits from its own start it arrives at its own end")
 {
   for(const Told& now : told_at("", "lambda=2.5 mu=1.1 a=1 g=16 alpha=20 gamma=-130 t=4"))

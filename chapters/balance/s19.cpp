@@ -86,7 +86,7 @@ TELL
 {
   require(lambda != 2 * mu, "lambda", "not 2 mu, where H is infinite");
   require(std::abs(determinant()) > 1e-3, "omega", "such that the determinant (C) is more than μ/1000");
-  require(std::abs(determinant()) < 1e100, "omega_rate", "such that the determinant (C) is below 1e100 μ");
+  require(std::abs(determinant()) < 1e100, "a", "such that the determinant (C) is below 1e100 μ");
   const Constants<> k = constants_of(lambda, mu, i_of<double>(lambda, mu, a, g), start()).constants;
   tell("A", k.A, radians, "𝔄, amplitude of the pan P");
   tell("B", k.B, radians, "𝔅, of the pan Q");
@@ -193,7 +193,26 @@ CHECK_THAT("the constants told are those with which the general formula starts a
           == within(P.determinant, allowed * (1 + double(abs(P.determinant))), "products of it"));
     CHECK(Q.determinant == within_relative(P.determinant, 1e-40, "it has H by its square only"));
   }
-  CHECK(refused_at("lambda=6"));
+}
+
+CHECK_THAT("a beam of twice the pans' frequency is refused, and the next doubles are not")
+{
+  for(const char* const infinite : {"lambda=6", "lambda=1 mu=0.5"})
+    CHECK(refused_at(infinite));
+  for(const char* const beside : {"lambda=5.9999999999999991", "lambda=6.0000000000000009"})
+    CHECK(!refused_at(beside));
+}
+
+CHECK_THAT("a determinant within μ/1000 of zero is refused, on either side of it, and one from 1e100 μ on")
+{
+  // 1 − ss, s being ω : 0.88 at λ = 5, and 1e50 at a = 6e19 and λ = μ = 1e6
+  const std::string near_zero = "lambda=5 omega_rate=0 omega=", great = "lambda=1e6 mu=1e6 g=1e-20 a=";
+  for(const char* const angle : {"0.879559891rad", "0.88rad", "0.880439889rad"})
+    CHECK(refused_at(near_zero + angle));
+  for(const char* const angle : {"0.879559889rad", "0.880439891rad"})
+    CHECK(!refused_at(near_zero + angle));
+  CHECK(refused_at(great + "6.0000000001e19"));
+  CHECK(!refused_at(great + "5.9999999999e19"));
 }
 
 CHECK_THAT(

@@ -111,8 +111,8 @@ TELL
   const Quantities q = quantities_of(with(c));
   const double squared = c < 0 ? -q.kappa * q.kappa : q.lambda * q.lambda;
   const double divisor = 4 * q.mu * q.mu - squared, reach = q.beta * m * squared;
-  require(std::abs(divisor - reach) > 1e-6 * q.mu * q.mu && std::abs(divisor + reach) > 1e-6 * q.mu * q.mu,
-          "c", "such that K is neither 1 nor -1");
+  require(std::abs(divisor - reach) > 1e-6 * q.mu * q.mu, "c", "such that K is not 1");
+  require(std::abs(divisor + reach) > 1e-6 * q.mu * q.mu, "c", "such that K is not -1");
   require(c >= 0 || q.kappa * t <= 30, "t", "such that the beam has not long fallen, at most 30/kappa");
   tell("f", q.f, feet, "f; infinite for c = 0, negative for c below it");
   if(c >= 0)
@@ -322,6 +322,29 @@ CHECK_THAT("(A) is Euler's formula of § 30 with an imaginary λ: between the tw
     CHECK(over.theta == within(under.theta, square, "a part of its square"));
     CHECK(abs(over.omega - from.omega) > square);
   }
+}
+
+CHECK_THAT("K = 1 and K = −1 are refused, and what is as near in the divisor as a millionth of μμ, and no "
+           "more")
+{
+  for(const char* const one : {"b=20 c=0.821557135", "b=20 c=0.8215574", "b=20 c=0.821557737",
+                               "b=20 c=0.825845242", "b=20 c=0.8258455", "b=20 c=0.825845849",
+                               "a=20 L=0.01 m=-90 c=-0.83441048", "a=20 L=0.01 m=-90 c=-0.83441101"})
+    CHECK(refused_at(one));
+  for(const char* const beside :
+      {"b=20 c=0.821557125", "b=20 c=0.821557746", "b=20 c=0.825845231", "b=20 c=0.825845859",
+       "a=20 L=0.01 m=-90 c=-0.83441046", "a=20 L=0.01 m=-90 c=-0.83441103"})
+    CHECK(!refused_at(beside));
+}
+
+CHECK_THAT("a beam falling at the rate 1 is followed for 30 seconds, at 2 for 15, one that does not fall "
+           "for a hundred")
+{
+  const std::string falling = "a=1 c=-1 k=1 L=1 M=1 g=";
+  for(const char* const until : {"2 t=30.000000000000004", "8 t=15.000000000000002"})
+    CHECK(refused_at(falling + until));
+  for(const char* const until : {"2 t=30", "8 t=15", "2 t=100 c=0", "2 t=100 c=1"})
+    CHECK(!refused_at(falling + until));
 }
 
 CHECK_THAT("(B) is what the two tones of § 17 tend to when λ vanishes and λℭ does not; the lean is where "

@@ -186,6 +186,14 @@ CHECK_THAT("f, λ, μ, their ratio and its bound are (1), (2), (A), and the boun
   }
 }
 
+CHECK_THAT("swings of am/b = 0.4 are followed, and no greater ones")
+{
+  for(const char* const greater : {"m=0.40000000000000008rad", "a=4 m=0.20000000000000004rad"})
+    CHECK(refused_at(greater));
+  for(const char* const most : {"m=0.4rad", "a=4 m=0.2rad"})
+    CHECK(!refused_at(most));
+}
+
 /*!
 The bounds and the rates are looked at in the pan's equation itself, integrated in fifty digits over half a
 period of the beam. Of the two motions, one even and one odd about the moment of the beam's turning, one ends

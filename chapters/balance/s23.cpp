@@ -236,14 +236,18 @@ CHECK_THAT("the scene shows that motion, in its true time")
 CHECK_THAT(
     "where neighbouring motions part too far the program refuses, but not where the swings are small")
 {
+  CHECK(refused_at("beta=0.1 rho=0.4 n=20 n1=-20 t=5.17"));
+  CHECK(!refused_at("beta=0.1 rho=0.4 n=20 n1=-20 t=5.16"));
   CHECK(refused_at("lambda=5 mu=20 beta=0.05 rho=0.45 n=20 n1=-19.9 t=100"));
   CHECK(!refused_at("lambda=5 mu=20 beta=0.05 rho=0.45 n=0.02 n1=-0.01 t=100"));
 }
 
 CHECK_THAT("it refuses pans that swing less than six tenths as fast as the beam")
 {
-  CHECK(refused_at("lambda=5 mu=2.99"));
-  CHECK(!refused_at("lambda=5 mu=3"));
+  for(const char* const slower : {"lambda=5 mu=2.9999999999999996", "mu=0.59999999999999987"})
+    CHECK(refused_at(slower));
+  for(const char* const as_fast : {"lambda=5 mu=3", "mu=0.6"})
+    CHECK(!refused_at(as_fast));
 }
 
 CHECK_THAT("ten times smaller swings miss (A) by a thousandth: the third order is next")

@@ -123,9 +123,9 @@ TELL
   const Balance<> of = numbers_of(given());
   require(std::abs(of.mu2 / of.lambda2 - 4) >= 1, "b", "such that μμ differs from 4λλ by λλ or more");
   require(of.mu2 <= 400 * of.lambda2, "b", "such that mu is 20 lambda at the most");
-  require(
-      tame(of, m, std::max(double(t), hundred(of))), "m",
-      "so small that neighbouring motions of balance and pans stay near each other for a hundred swings");
+  require(tame(of, m, std::max(double(t), hundred(of))), "m",
+          "so small that neighbouring motions of balance and pans stay near each other for a hundred "
+          "swings, and until t");
   const double lambda = std::sqrt(of.lambda2);
   tell("f", pendulum(), feet, "f, (3)", 15);
   tell("lambda", std::sqrt(2 * g / pendulum()), Unit{"1/s"}, "λ", 15);
@@ -203,6 +203,28 @@ CHECK_THAT("f is the length by which the five equations turn a beam at a very sm
           == within_relative(-mm * (Fifty(1) / 16 + of_pans), 1e-13, "a difference"));
     CHECK(now.value("pendulum", percent) == within_relative(-mm / 16, 1e-15, "a square"));
   }
+}
+
+CHECK_THAT("strings on which μμ lies between 3 λλ and 5 λλ are refused, and those on which μ is above 20 λ")
+{
+  const std::string three = "a=1 k=1 c=1 m=1 M=2 L=1 g=1.5 b=", five = "a=1 k=1 c=1 m=1 M=2 L=3 g=2.5 b=",
+                    quick = "a=1 k=1 c=1 m=1 M=1 L=24 ";  // λ is 1 in all, but for g=100 where it is 2
+  for(const std::string& no : {three + "0.99999999999999989", five + "1.0000000000000002",
+                               quick + "g=25 b=0.12499999999999999", quick + "g=100 b=0.12499999999999999"})
+    CHECK(refused_at(no));
+  for(const std::string& yes : {three + "1", five + "1", quick + "g=25 b=0.125", quick + "g=100 b=0.125"})
+    CHECK(!refused_at(yes));
+}
+
+CHECK_THAT(
+    "a beam is refused whose neighbours part from it within a hundred swings, or before t if that is later")
+{
+  const std::string light = "M=100 L=0.5 a=20 b=3 c=0.7 k=0.5 m=";
+  const std::string quick = "M=1000 L=2.2 a=2.1 b=0.18 c=1.9 k=0.14 g=100 m=20 t=";  // a hundred: 33.9 s
+  for(const std::string& apart : {light + "14.431", quick + "43.4"})
+    CHECK(refused_at(apart));
+  for(const std::string& near : {light + "14.429", quick + "43"})
+    CHECK(!refused_at(near));
 }
 
 /*!

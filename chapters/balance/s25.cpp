@@ -118,7 +118,7 @@ Swing pan(const Fifty& amplitude, const Fifty& from, int side, const Fifty& at) 
 TELL
 {
   require(lambda.fifty() != 2 * mu.fifty(), "lambda", "not 2 mu, where the slower tone is infinite");
-  require(abs(tone(-1)) < 1e100 && abs(tone(1)) < 1e100, "a", "such that the side tones are below 1e100");
+  require(abs(tone(-1)) < 1e100, "a", "such that the side tones are below 1e100");  // this is the greater
   const Swing P = pan(A.fifty(), alpha.fifty(), 1, t.fifty()),
               Q = pan(B.fifty(), beta.fifty(), -1, t.fifty());
   tell("lower", double(tone(-1)), "λμμam/4g(2μ−λ), the tone at μ − λ in parts of the pan's own", 15);
@@ -192,7 +192,20 @@ CHECK_THAT("(3) is (2), and both are the general solution of § 17 with its f; (
     CHECK(now.value("wider") == within_ulps(K, 1, once));
     CHECK(now.value("ahead") == within_ulps(2 * u / l * K, 1, "one rounding, H = 2μK/λ"));
   }
-  CHECK(refused_at("lambda=6"));
+}
+
+CHECK_THAT(
+    "λ = 2μ is refused, and not what no double tells from it; so is a tone of 1e100, and not what is "
+    "a little less")
+{
+  const std::string great = "g=0.1125 m=0.5rad a=";  // the slower tone is then 2a, in feet
+  for(const std::string& no :
+      std::vector<std::string>{"lambda=6", "lambda=1 mu=0.5", great + "5.000000000000001e99"})
+    CHECK(refused_at(no));
+  for(const std::string& yes :
+      std::vector<std::string>{"lambda=5.99999999999999999", "lambda=6.00000000000000001", "lambda=6 mu=4",
+                               great + "4.999999999999999e99"})
+    CHECK(!refused_at(yes));
 }
 
 CHECK_THAT("(A) is (3), in fifty digits")

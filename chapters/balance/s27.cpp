@@ -75,9 +75,9 @@ double determinant(const Fifty& K_)  // over μ
 TELL
 {
   require(lambda.fifty() != 2 * mu.fifty(), "lambda", "not 2 mu, where K is infinite");
-  require(abs(K()) < 1e150, "lambda", "such that K is below 1e150");
+  require(arm() >= Fifty("1e-300"), "a", "such that μμam/2g, which is am/b, is at least 1e-300");
+  require(arm() <= Fifty("0.99"), "a", "such that μμam/2g, which is am/b, is at most 0.99");
   const double p = double(arm());
-  require(p > 0 && p <= 0.99, "a", "such that μμam/2g, which is am/b, is positive and at most 0.99");
   tell("p", p, "am/b");
   tell("K", double(K()), "K");
   tell("one_plus", double(1 + K()), "1 + K");
@@ -180,7 +180,20 @@ CHECK_THAT(
     CHECK(now.value("minus_one", Unit{"1/s"})
           == within_relative(2 * mu.fifty() / sqrt(1 - p), 1e-13, "one less am:b"));
   }
-  CHECK(refused_at("lambda=6"));
+}
+
+CHECK_THAT(
+    "λ = 2μ is refused, and not what no double tells from it; so is am/b above 0.99 or below 1e-300, "
+    "and nothing between")
+{
+  for(const char* const no :
+      {"lambda=6", "lambda=1 mu=0.5", "mu=1 g=1 m=0.99rad a=2.00000000000000001",
+       "mu=2 g=2 m=0.99rad a=1.00000000000000001", "mu=1e-100 g=1 m=1rad a=1.9999999999999999e-100"})
+    CHECK(refused_at(no));
+  for(const char* const yes :
+      {"lambda=5.99999999999999999", "lambda=6.00000000000000001", "mu=1 g=1 m=0.99rad a=2",
+       "mu=2 g=2 m=0.99rad a=1", "mu=1e-100 g=1 m=1rad a=2.0000000000000001e-100"})
+    CHECK(!refused_at(yes));
 }
 
 CHECK_THAT(

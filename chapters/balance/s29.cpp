@@ -80,7 +80,8 @@ TELL
 {
   require(std::abs(4 * mu * mu - lambda * lambda) >= 0.1 * lambda * lambda, "lambda",
           "such that 4μμ differs from λλ by a tenth of it");
-  require(std::abs(1 + K()) > 1e-3 && std::abs(1 - K()) > 1e-3, "m", "such that K is neither 1 nor -1");
+  require(std::abs(1 + K()) > 1e-3, "m", "such that K is not -1");
+  require(std::abs(1 - K()) > 1e-3, "m", "such that K is not 1");
   require(parting(given(), released(m, n, 0), t) <= room, "t",
           "so short that a slight change does not grow ten thousand times");
   tell("K", K(), "K");
@@ -165,8 +166,25 @@ CHECK_THAT(
 CHECK_THAT(
     "where neighbouring motions part too far the program refuses, but not where the swings are small")
 {
+  CHECK(refused_at("beta=0.1 rho=0.45 m=20 n=20 t=6.685"));
+  CHECK(!refused_at("beta=0.1 rho=0.45 m=20 n=20 t=6.672"));
   CHECK(refused_at("beta=0.01 rho=0.45 m=20 n=20 t=200"));
   CHECK(!refused_at("beta=0.01 rho=0.45 m=1 n=0.02 t=200"));
+}
+
+CHECK_THAT("it refuses 4μμ nearer to λλ than a tenth of that, and K within a thousandth of 1 or −1, and no "
+           "more")
+{
+  const std::string one = "mu=0.6 beta=2 t=1 m=",
+                    less = "mu=0.4 beta=2 t=1 m=";  // K is m : 0.22, −m : 0.18
+  for(const std::string& no : std::vector<std::string>{
+          "lambda=5.72077554", "lambda=6.32455532", one + "0.2197801rad", one + "0.22rad",
+          one + "0.2202199rad", less + "0.1798201rad", less + "0.18rad", less + "0.1801799rad"})
+    CHECK(refused_at(no));
+  for(const std::string& yes :
+      std::vector<std::string>{"lambda=5.72077553", "lambda=6.32455533", one + "0.2197799rad",
+                               one + "0.2202201rad", less + "0.1798199rad", less + "0.1801801rad"})
+    CHECK(!refused_at(yes));
 }
 
 CHECK_THAT("what Q has beyond (A) goes with P's swing, at a given beam, and grows")

@@ -130,8 +130,9 @@ TELL
 {
   const double square = mu / lambda * (mu / lambda);
   require(std::abs(square - 4) >= 1, "mu", "such that μμ differs from 4λλ by λλ or more");
-  require(mu >= 1.3 * lambda && mu <= 20 * lambda, "mu", "from 1.3 lambda to 20 lambda");
-  require(std::abs(mu - 3 * lambda) >= 0.3 * lambda, "mu",
+  require(10 * mu >= 13 * lambda, "mu", "at least 1.3 lambda");  // 13, 3: exact, as 1.3 and 0.3 are not
+  require(mu <= 20 * lambda, "mu", "at most 20 lambda");
+  require(std::abs(10 * mu - 30 * lambda) >= 3 * lambda, "mu",
           "such that mu - lambda and 2 lambda are 0.3 lambda apart");
   const Release r = release();
   const double K = K_of(r);
@@ -221,6 +222,19 @@ CHECK_THAT("𝔄, the times, (3) and its derivative are as they stand")
     CHECK(now.value("rate", Unit{"1/s"})
           == within_relative((three(s + h) - three(s - h)) / (2 * h), 1e-15, "differences"));
   }
+}
+
+CHECK_THAT("μ goes from 1.3 λ to 20 λ, but not where μμ is within λλ of 4λλ or μ − λ within 0.3 λ of 2λ")
+{
+  for(const char* const no :
+      {"mu=1.2999999999999998", "lambda=3 mu=3.899999999999", "mu=20.000000000000004",
+       "lambda=0.5 mu=10.000000000000002", "mu=1.73205081", "lambda=2 mu=3.464101616", "mu=2.23606797",
+       "mu=2.700000000001", "mu=3.299999999999", "lambda=2 mu=6.599999999999"})
+    CHECK(refused_at(no));
+  for(const char* const yes :
+      {"mu=1.3", "lambda=3 mu=3.9", "mu=20", "lambda=0.5 mu=10", "mu=1.7320508", "lambda=2 mu=3.464101615",
+       "mu=2.23606798", "mu=2.7", "mu=3.3", "lambda=2 mu=6.6"})
+    CHECK(!refused_at(yes));
 }
 
 std::vector<double> swings_by_gsl()  // at the same steps

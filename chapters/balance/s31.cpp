@@ -157,7 +157,19 @@ CHECK_THAT("the averages are (A), (B) and (C)")
     const Fifty down = -B * B * l * l * l * l * mm / (4 * u * (4 * u * u - l * l));
     CHECK(now.value("shift", Unit{"1/s"}) == within_relative(down, 4e-15, "the same"));
   }
-  CHECK(refused_at("mu=2"));
+}
+
+CHECK_THAT("μμ within λλ of 4λλ is refused, and an exchange of more than 3000 s, or in fewer than six "
+           "swings of the beam to and fro")
+{
+  for(const char* const no :
+      {"mu=1.73205081", "mu=2", "mu=2.23606797", "lambda=2 mu=3.464101616", "mu=1 rho=0.1 m=14.36192209",
+       "rho=0.45 m=14.29207845", "lambda=2 rho=0.45 m=13.2318935"})
+    CHECK(refused_at(no));
+  for(const char* const yes :
+      {"mu=1.7320508", "mu=2.23606798", "lambda=2 mu=3.464101615", "mu=1 rho=0.1 m=14.3619221",
+       "rho=0.45 m=14.29207844", "lambda=2 rho=0.45 m=13.2318934"})
+    CHECK(!refused_at(yes));
 }
 
 /*!

@@ -90,7 +90,8 @@ TELL
   require(time <= 3000, "m", "such that the exchange takes 3000 s at the most");
   require(time >= 1.5 * meanwhile(), "m", "such that it takes six swings of the beam to and fro");
   const Release r = release();
-  require(parting(given(), {r.at, {}}, std::max(double(t), time)) <= 1e4, "n",
+  require(parting(given(), {r.at, {}}, std::max(double(t), time)) <= 1e4,
+          std::abs(n) >= std::abs(n1) ? "n" : "n1",
           "so small that a slight change does not grow ten thousand times");
   const Angles<> at = euler(r, double(t)), start = euler_start(r), own = euler_corrected(r, double(t));
   const Angles<> full = t == 0 ? r.at : Motion(given(), {r.at, {}}).to(t).at;
@@ -243,8 +244,26 @@ CHECK_THAT("at T₃ the pans have changed places, in GSL's motion too; in the fi
 CHECK_THAT(
     "where neighbouring motions part too far the program refuses, but not where the swings are small")
 {
+  const std::string light = "lambda=2 mu=20 beta=0.05 rho=0.45 m=10 ";  // all is exchanged in 22 s
+  for(const char* const apart : {"n1=0 n=2.97", "n1=0 n=2.93 t=68.9", "n=0 n1=2.805"})
+    CHECK(refused_at(light + apart));
+  for(const char* const near : {"n1=0 n=2.95", "n1=0 n=2.93 t=68.7", "n=0 n1=2.78"})
+    CHECK(!refused_at(light + near));
   CHECK(refused_at("lambda=2 mu=20 beta=0.05 rho=0.45 m=1 n=10 n1=-10 t=200"));
   CHECK(!refused_at("lambda=2 mu=20 beta=0.05 rho=0.45 m=1 n=0.1 n1=-0.1 t=200"));
+}
+
+CHECK_THAT("μμ within λλ of 4λλ is refused, and an exchange of more than 3000 s, or in fewer than six "
+           "swings of the beam to and fro")
+{
+  for(const char* const no :
+      {"mu=1.73205081", "mu=2", "mu=2.23606797", "lambda=2 mu=3.464101616", "mu=1 rho=0.1 m=14.36192209",
+       "rho=0.45 m=14.29207845", "lambda=2 rho=0.45 m=13.2318935"})
+    CHECK(refused_at(no));
+  for(const char* const yes :
+      {"mu=1.7320508", "mu=2.23606798", "lambda=2 mu=3.464101615", "mu=1 rho=0.1 m=14.3619221",
+       "rho=0.45 m=14.29207844", "lambda=2 rho=0.45 m=13.2318934"})
+    CHECK(!refused_at(yes));
 }
 
 CHECK_THAT("pans that start alike go on alike, but for what the beam stirs in both")

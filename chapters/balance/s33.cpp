@@ -63,9 +63,12 @@ const auto given = [] {  // as it is written
 TELL
 {
   const ReleaseOf<Fifty> r = given();
-  require(r.lambda != 2 * r.mu && r.mu != 2 * r.lambda, "lambda", "neither 2 mu nor half of mu");
-  require(lambda <= 1e9 && mu <= 1e9, "lambda", "with mu at most 1e9");
-  require(abs(K_of(r)) != 1 && abs(K_of(r)) < 1e200, "i", "such that K is neither ±1 nor beyond 1e200");
+  require(r.lambda != 2 * r.mu, "lambda", "not 2 mu");
+  require(r.mu != 2 * r.lambda, "lambda", "not half of mu");
+  require(lambda <= 1e9, "lambda", "at most 1e9");
+  require(mu <= 1e9, "mu", "at most 1e9");
+  require(abs(K_of(r)) != 1, "i", "such that K is neither 1 nor -1");
+  require(abs(K_of(r)) < 1e200, "i", "such that K is below 1e200");
   const Angles<Fifty> at = euler<Fifty>(r, t.fifty()), rate = euler_rates<Fifty>(r, t.fifty()),
                       from = euler_start<Fifty>(r), own = euler_corrected<Fifty>(r, t.fifty()),
                       second = second_order<Fifty>(r, t.fifty());
@@ -152,7 +155,23 @@ CHECK_THAT("what is told is (2), its derivative, and the solutions of the equati
     CHECK(rows[1].value("omega") == within_relative(-l * m.fifty() * sin(l * s), 2e-16, because));
     CHECK(rows[2].value("omega") == within_relative(m.fifty(), 2e-16, because));
   }
-  CHECK(refused_at("lambda=6"));
+}
+
+CHECK_THAT("λ = 2μ and μ = 2λ are refused, K = ±1, frequencies beyond 1e9 and K from 1e200 on, and nothing "
+           "beside them")
+{
+  const std::string one = "m=0.5rad i=", other = "m=-0.5rad i=",  // K is i : 35, and −i : 35
+      great = "lambda=1e-100 mu=1e-100 m=1.5rad i=";              // and 1e100 i
+  for(const std::string& no : std::vector<std::string>{"lambda=6", "lambda=1 mu=0.5", "lambda=1.5", "mu=2",
+                                                       "lambda=1000000000.0000001", "mu=1000000000.0000001",
+                                                       one + "35", other + "35", great + "1e100"})
+    CHECK(refused_at(no));
+  for(const std::string& yes :
+      std::vector<std::string>{"lambda=5.99999999999999999", "lambda=6.00000000000000001", "lambda=6 mu=4",
+                               "lambda=1.49999999999999999", "lambda=1.50000000000000001", "lambda=1e9",
+                               "mu=1e9", one + "34.99999999999999999", one + "35.00000000000000001",
+                               other + "34.99999999999999999", great + "9.999999999999999e99"})
+    CHECK(!refused_at(yes));
 }
 
 CHECK_THAT("the figure's lines are what the formulae miss of GSL's motion")

@@ -79,8 +79,8 @@ std::vector<Tone> tones()  // (2) and (A)
 
 TELL
 {
-  require(lambda.fifty() != 2 * mu.fifty() && mu.fifty() != 2 * lambda.fifty(), "mu",
-          "neither half of lambda nor twice lambda");
+  require(lambda.fifty() != 2 * mu.fifty(), "mu", "not half of lambda");
+  require(mu.fifty() != 2 * lambda.fifty(), "mu", "not twice lambda");
   tell("beam", double(exact::pi() / lambda.fifty()), seconds, "an oscillation of the beam, π/λ");
   tell("pan", double(exact::pi() / mu.fifty()), seconds, "a regular one of a pan, π/μ");
   tell("i_by_arm", double(i_of<Fifty>(lambda.fifty(), mu.fifty(), a.fifty(), g.fifty())), Unit{"1/s"},
@@ -155,7 +155,16 @@ CHECK_THAT("the tones add up to Euler's formula, and to the complete second orde
           == within_ulps(r.lambda * r.mu * r.mu * a.fifty() / 4 / g.fifty(), 0.5, "one rounding"));
     CHECK(now.value("sixth") == within_ulps(30 / exact::pi(), 3, "a division by the rounded degree"));
   }
-  CHECK(refused_at("mu=2"));
+}
+
+CHECK_THAT("pans half or twice as quick as the beam are refused, and not those that no double tells from "
+           "them")
+{
+  for(const char* const tuned : {"mu=0.5", "mu=2", "lambda=3 mu=1.5", "lambda=3 mu=6"})
+    CHECK(refused_at(tuned));
+  for(const char* const beside : {"mu=0.49999999999999999999", "mu=0.50000000000000000001",
+                                  "mu=1.99999999999999999999", "mu=2.00000000000000000001"})
+    CHECK(!refused_at(beside));
 }
 
 CHECK_THAT("in the example the tones are the fractions of (2), (3) and (A), in whole numbers")

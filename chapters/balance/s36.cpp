@@ -476,9 +476,10 @@ std::string in_words(const Fifty& angle)  // the whole minutes next to it, by tr
 
 CHECK_THAT("it refuses pans slower than the beam, and an arm of more than twice the string")
 {
-  for(const char* const within_them : {"mu=1", "i=1"})
+  for(const char* const within_them : {"mu=1", "i=1", "lambda=2 mu=2", "lambda=2 i=2"})
     CHECK(!refused_at(within_them));
-  for(const char* const beyond : {"mu=0.999", "i=1.001"})
+  for(const char* const beyond : {"mu=0.99999999999999989", "i=1.0000000000000002",
+                                  "lambda=2 mu=1.9999999999999998", "lambda=2 i=2.0000000000000004"})
     CHECK(refused_at(beyond));
 }
 

@@ -452,6 +452,17 @@ CHECK_THAT(
   }
 }
 
+CHECK_THAT(
+    "it follows the fastest mode through 30000 radians, and neighbouring motions until they part before 2t")
+{
+  for(const char* const beyond :
+      {"g=72 b=0.1 t=767.68", "M=0.4 L=0.125 a=10 b=25 c=0.2 k=1 h=50 eta=30 theta=-30 t=9.74"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"g=72 b=0.1 t=767.6785", "M=0.4 L=0.125 a=10 b=25 c=0.2 k=1 h=50 eta=30 theta=-30 t=9.72"})
+    CHECK(!refused_at(within_them));
+}
+
 CHECK_THAT("the energy's shares are those of the motion of links")
 {
   for(const Told& now : told_at(settings[0], settings[1], settings[3]))

@@ -76,9 +76,10 @@ line of the way too, with the angular acceleration $-ww\sum m\,yz\,/\sum m\,(yy+
 
 TELL
 {
-  const double reach = double((d.fifty() + shift.fifty()) / a.fifty()), out = side / a;
-  require(reach <= 1, "d", "with shift no more than a");
-  require(out <= 1 && reach * reach + out * out <= 1, "side", "such that the pellets are in the ball");
+  const Fifty a_ = a.fifty(), deep = d.fifty() + shift.fifty(), out = side.fifty();
+  require(d.fifty() <= a_, "d", "at most a");
+  require(deep <= a_, "shift", "with d no more than a");
+  require(deep * deep + out * out <= a_ * a_, "side", "such that the pellets are in the ball");
   const Inertia sums = inertia(shift.fifty());
   tell("c", double(q.fifty() * d.fifty()), feet, "CG");
   tell("k", double(sqrt(sums.zz)), feet, "radius of gyration about the axis through G");
@@ -262,6 +263,16 @@ CHECK_THAT("the shifted balls of the table and the figure are summed particle by
       CHECK(point.value("tilt") == within(check(up)[2], 4e-15, "what the shift is off, and an arc"));
     }
   }
+}
+
+CHECK_THAT(
+    "pellets at the surface of the ball are allowed, and none a hair beyond it: below, shifted, aside")
+{
+  for(const char* const at_it : {"d=1 side=0", "d=0.75 shift=0.25 side=0", "a=5 d=2 shift=1 side=4"})
+    CHECK(!refused_at(at_it));
+  for(const char* const beyond : {"d=1.000000000000001 side=0", "d=0.75 shift=0.250000000000001 side=0",
+                                  "a=5 d=2 shift=1 side=4.000000000000001"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("a homogeneous ball has two fifths of the square of its radius")

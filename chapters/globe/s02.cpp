@@ -88,7 +88,7 @@ double greatest_k()  // (A)
 
 TELL
 {
-  require(c <= a, "c", "at most a: G is in the ball");
+  require(c.fifty() <= a.fifty(), "c", "at most a: G is in the ball");
   const Point G = from_C(c.fifty()), A = from_C(a.fifty());
   tell("x", double(G.x), feet, "IP, how far G has gone", 15);
   tell("y", double(G.y), feet, "PG, how high it is", 15);
@@ -228,6 +228,14 @@ CHECK_THAT("the places told are those to which small turns bring the radius, thr
     CHECK(now.value("rest", degrees)
           == within(left, 4e-16 * double(abs(left)) + lost, "the angle of A, rounded once"));
   }
+}
+
+CHECK_THAT("G may lie at the surface, and is refused a hair beyond it")
+{
+  for(const char* const at_it : {"c=1", "a=3 c=3"})
+    CHECK(!refused_at(at_it));
+  for(const char* const beyond : {"c=1.00000000000000001", "a=3 c=3.00000000000000001"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("the angle at G is the angle at C, each found from the places of three points")

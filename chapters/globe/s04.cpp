@@ -138,8 +138,7 @@ const std::array<const char*, 6> in_words{"leaves the plane",           "scrapes
 TELL
 {
   const Fifty b = sqrt(bb(ball()));
-  require(a.fifty() < 1e20 * b && c.fifty() < 1e20 * b, "k",
-          "more, or c farther from a: a and c below 1e20 b");
+  require(a.fifty() + c.fifty() < 1e20 * b, "k", "more, or c farther from a: a + c below 1e20 b");
   const Does what = does();
   require(determined(what), "mu", "less: so much leaves the scraping undetermined at this angle");
   tell("ball", in_words.at(static_cast<std::size_t>(what)), "what the ball does");
@@ -280,6 +279,12 @@ CHECK_THAT("scraping is refused where with its λ the plane would have to pull, 
                                "c=0.5 k=0.1 mu=0.95 Phi=-80 w=0 v=-1"};
   for(const char* const setting : twice)
     CHECK(refused_at(setting));
+  // At 90° the denominator is kk + cc − μac, with c = k = a:2 nothing for μ = 1.
+  for(const char* const side : {"Phi=90 v=1", "Phi=-90 v=-1"})
+  {
+    CHECK(refused_at(std::string("c=0.5 k=0.5 w=0 mu=1 ") + side));
+    CHECK(!refused_at(std::string("c=0.5 k=0.5 w=0 mu=0.99999999999999999 ") + side));
+  }
   for(const char* const setting :
       {"c=0.5 k=0.1 mu=0.95 Phi=-80 w=0 v=1", "c=0.5 k=0.1 mu=0.55 Phi=80 w=0 v=1"})
     for(const Told& now : told_at(setting))
@@ -291,6 +296,12 @@ CHECK_THAT("scraping is refused where with its λ the plane would have to pull, 
   CHECK(accelerations(Ball<Fifty>{1, Fifty(1) / 2, Fifty(1) / 10}, Fifty(1), at, Fifty(0), Fifty("0.95"))
             .pressure
         < 0);
+}
+
+CHECK_THAT("with G at the surface it refuses a k of a:5e19, and not one just above it")
+{
+  CHECK(refused_at("a=5e19 c=5e19 k=1 mu=0"));
+  CHECK(!refused_at("a=5e19 c=5e19 k=1.0000000000000001 mu=0"));
 }
 
 CHECK_THAT("at the limit told the denominator vanishes, at that angle and at no other, and (B) is enough")

@@ -95,7 +95,7 @@ TELL
 {
   const Fifty under = c.fifty() * sin(Phi.fifty()), height = a.fifty() - c.fifty() * cos(Phi.fifty());
   require(k.fifty() * k.fifty() > under * (lambda.fifty() * height - under), "lambda",
-          "below the limit of §4 at this Φ");
+          "within the limit of §4 at this Φ");
   require(c.fifty() * w.fifty() * w.fifty() * cos(Phi.fifty()) >= -2 * g.fifty(), "w",
           "such that the plane still bears the ball");
   const Unit acceleration{"1/s²"};
@@ -241,6 +241,21 @@ CHECK_THAT("about every point the rule with what it leaves out gives the acceler
     CHECK(rule_about(on_radius(0)).missing
           == within(-c.fifty() * u * dds, 1e-18 * c * (a + c + k) * size, "the step of the differences"));
   }
+}
+
+CHECK_THAT("the friction that makes the pressure infinite is refused, and a ball that leaves the plane; "
+           "less is not")
+{
+  // At 90° kk + cc is λac, with c = k = a:2 for λ = 1; with k = a for 2.5.
+  for(const char* const beyond :
+      {"c=0.5 k=0.5 Phi=90 lambda=1", "c=0.5 k=0.5 Phi=-90 lambda=-1", "c=0.5 k=1 Phi=90 lambda=2.5",
+       "Phi=180 c=0.5 g=1 w=2.0000000000000001", "Phi=120 c=0.25 g=1 w=-4.0000000000000001"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"c=0.5 k=0.5 Phi=90 lambda=0.99999999999999999", "c=0.5 k=0.5 Phi=-90 lambda=-0.99999999999999999",
+       "c=0.5 k=1 Phi=90 lambda=2.4999999999999999", "Phi=180 c=0.5 g=1 w=2",
+       "Phi=120 c=0.25 g=1 w=-3.9999999999999999"})
+    CHECK(!refused_at(within_them));
 }
 
 CHECK_THAT("along the diameter the rule agrees with the particles at G, and is off elsewhere by (A)")

@@ -80,9 +80,8 @@ Fifty upwards(const Fifty& turning)  // ddy/dt², as in §3
 TELL
 {
   const Fifty b = sqrt(bb(ball()));
-  require(a.fifty() < 1e20 * b && c.fifty() < 1e20 * b, "k",
-          "more, or c farther from a: a and c below 1e20 b");
-  require(abs(lambda.fifty()) < rolling::painleve(ball()).mu, "lambda", "below the limit of §4");
+  require(a.fifty() + c.fifty() < 1e16 * b, "k", "more, or c farther from a: a + c below 1e16 b");
+  require(abs(lambda.fifty()) < rolling::painleve(ball()).mu, "lambda", "within the limit of §4");
   const Fifty bears = 2 * g.fifty() + c.fifty() * w.fifty() * w.fifty() * cos(Phi.fifty());
   require(bears >= 0, "w", "such that the plane still bears the ball");
   const Unit acceleration{"ft/s²"};
@@ -189,8 +188,9 @@ TELL
     ways.push_back(
         {"by turns, " + std::to_string(turns), [=] { return by_turns(n, k_, turns); }, "by turns"});
   const Fifty exact = accelerations(ball(), g.fifty(), Phi.fifty(), w.fifty(), lambda.fifty()).pressure;
+  const double part = n.side * n.arm / k / k;  // its sixteenth power is to be finite
   if(exact != 0 && std::abs(n.fall) < 1e100 && double(k) > 1e-70 && k < 1e70 && std::abs(n.arm) < 1e70
-     && std::abs(n.side) < 1e70)
+     && std::abs(n.side) < 1e70 && std::abs(part) < 1e12)
     race("Pi", "Π/P", exact, ways);
 }
 
@@ -276,6 +276,19 @@ CHECK_THAT("the pressures drawn are Lagrange's at each angle, without friction a
                                  "the angle in doubles, where the pressure may change fast"));
       }
     }
+}
+
+CHECK_THAT("it refuses too little inertia with G at the surface, too much friction, and a ball that leaves "
+           "the plane")
+{
+  for(const char* const beyond :
+      {"a=5e15 c=5e15 k=1 lambda=0", "lambda=3.68081", "lambda=-3.68081", "c=0.5 k=0.5 lambda=0.7824837",
+       "Phi=180 c=0.5 g=1 w=2.0000000000000001", "Phi=120 c=0.25 g=1 w=-4.0000000000000001"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"a=5e15 c=5e15 k=1.0000000000000001 lambda=0", "lambda=3.6808", "lambda=-3.6808",
+       "c=0.5 k=0.5 lambda=0.7824836", "Phi=180 c=0.5 g=1 w=2", "Phi=120 c=0.25 g=1 w=-3.9999999999999999"})
+    CHECK(!refused_at(within_them));
 }
 
 CHECK_THAT("letters and elimination come to the pressure of (B), and turns to what each turn leaves")

@@ -90,9 +90,9 @@ The pressure comes with all three equations, from the library.
 TELL
 {
   const Ball<Fifty> ball{a.fifty(), c.fifty(), k.fifty()};
-  require(c < a, "c", "less than a: G is in the ball");
+  require(c.fifty() < a.fifty(), "c", "less than a: G is in the ball");
   require(a.fifty() < 1e20 * sqrt(bb(ball)), "k", "more, or c farther from a: a below 1e20 b");
-  require(abs(lambda.fifty()) < rolling::painleve(ball).mu, "lambda", "below the limit of §4");
+  require(abs(lambda.fifty()) < rolling::painleve(ball).mu, "lambda", "within the limit of §4");
   const Fifty at = Phi.fifty(), w_ = w.fifty(), g_ = g.fifty();
   require(2 * g_ + c.fifty() * w_ * w_ * cos(at) >= 0, "w", "such that the plane still bears the ball");
   const Fifty Pi = accelerations(ball, g_, at, w_, lambda.fifty()).pressure;
@@ -203,6 +203,21 @@ CHECK_THAT("with the turning told every small displacement does the work that is
     CHECK(now.value("slows", feet) == near(Pi * here.c * sin(here.Phi)));
     CHECK(now.value("quickens", feet) == near(Pi * here.lambda * y));
   }
+}
+
+CHECK_THAT("it refuses a G at the surface, too little inertia near it, too much friction, a ball that "
+           "leaves the plane")
+{
+  for(const char* const beyond :
+      {"c=1", "a=3 c=3 k=3", "a=5e20 c=499999999999999999997 k=4 lambda=0", "lambda=0.7824837",
+       "c=0.1 k=0.6 lambda=-3.68081", "Phi=180 g=1 w=2.0000000000000001",
+       "Phi=120 c=0.25 g=1 w=-4.0000000000000001"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"c=0.99999999999999999", "a=3 c=2.9999999999999999 k=3",
+       "a=5e20 c=499999999999999999997 k=4.0000000000000001 lambda=0", "lambda=0.7824836",
+       "c=0.1 k=0.6 lambda=-3.6808", "Phi=180 g=1 w=2", "Phi=120 c=0.25 g=1 w=-3.9999999999999999"})
+    CHECK(!refused_at(within_them));
 }
 
 CHECK_THAT("with the λ told for balance the turning is not quickened, and beyond (A) it is at every angle")

@@ -83,8 +83,7 @@ Ball<Fifty> ball()
 TELL
 {
   const Ball<Fifty> b = ball();
-  require(a.fifty() < 1e20 * sqrt(bb(b)) && c.fifty() < 1e20 * sqrt(bb(b)), "k",
-          "more, or c farther from a: a and c below 1e20 b");
+  require(b.a + b.c < 1e20 * sqrt(bb(b)), "k", "more, or c farther from a: a + c below 1e20 b");
   require(mu.fifty() < rolling::painleve(b).mu, "mu", "below the limit of §4");
   const Fifty at = Phi.fifty(), w_ = w.fifty(), g_ = g.fifty();
   require(2 * g_ + b.c * w_ * w_ * cos(at) >= 0, "w", "such that the plane still bears the ball");
@@ -228,6 +227,19 @@ CHECK_THAT("in all four cases the members told are Lagrange's, and their sum is 
     }
     CHECK(n == 4);
   }
+}
+
+CHECK_THAT("it refuses too little inertia with G at the surface, too much friction, and a ball that leaves "
+           "the plane")
+{
+  for(const char* const beyond :
+      {"a=5e19 c=5e19 k=1 mu=0", "mu=3.68081", "c=0.5 k=0.5 mu=0.7824837",
+       "Phi=180 c=0.5 g=1 w=2.0000000000000001", "Phi=120 c=0.25 g=1 w=-4.0000000000000001"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"a=5e19 c=5e19 k=1.0000000000000001 mu=0", "mu=3.6808", "c=0.5 k=0.5 mu=0.7824836",
+       "Phi=180 c=0.5 g=1 w=2", "Phi=120 c=0.25 g=1 w=-3.9999999999999999"})
+    CHECK(!refused_at(within_them));
 }
 
 /*!

@@ -83,7 +83,8 @@ Fifty velocity_of_C(const Place<Fifty>& at, const Fifty& w)  // ds/dt, from (2)
 TELL
 {
   require(c <= 100 * k, "c", "at most a hundred times k");
-  require(exact_h() <= 1e100 && exact_h() >= 1e-100, "zeta", "an h between 1e-100 and 1e100");
+  require(exact_h() >= 1e-100, "zeta", "an h between 1e-100 and 1e100");
+  require(exact_h() <= 1e100, "zeta", "an h between 1e-100 and 1e100");
   const Energy<Fifty> e = energy(exact_h());
   const Place<Fifty> there = where.fifty();
   require(gets_to(e, there), where.psi == 0 ? "Phi" : "psi", "an angle that the ball gets to");
@@ -179,6 +180,23 @@ CHECK_THAT("the values told satisfy the equations of motion, all three, whatever
     CHECK(now.value("zeta_lift", Unit{"1/s"})
           == within_relative(sqrt(8 * g_ * c_ / (k_ * k_) + 2 * g_ / c_), 1e-14, "some roundings"));
   }
+}
+
+CHECK_THAT(
+    "it refuses a c or an h beyond its limits and an angle that the ball does not get to, none before them")
+{
+  // With c = 1/8 and g = k = 1 h is ζζ, with c = 1/2 a quarter of that; and a ball with h = 1/4 gets to 60°.
+  for(const char* const beyond :
+      {"c=50.00000000000001 k=0.5 Phi=0", "c=100.00000000000002 k=1 Phi=0",
+       "c=0.125 g=1 k=1 Phi=0 zeta=9.9999999999999999e-51", "c=0.125 g=1 k=1 zeta=1.0000000000000001e50",
+       "c=0.125 g=1 k=1 zeta=0.5 Phi=60.00000000000001", "c=0.125 g=1 k=1 zeta=0.5 psi=119.99999999999999",
+       "c=0.5 g=1 k=1 zeta=1 Phi=60.00000000000001"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"c=50 k=0.5 Phi=0", "c=100 k=1 Phi=0", "c=0.125 g=1 k=1 Phi=0 zeta=1.0000000000000001e-50",
+       "c=0.125 g=1 k=1 zeta=1e50", "c=0.125 g=1 k=1 zeta=0.5 Phi=60", "c=0.125 g=1 k=1 zeta=0.5 psi=120",
+       "c=0.5 g=1 k=1 zeta=1 Phi=60"})
+    CHECK(!refused_at(within_them));
 }
 
 CHECK_THAT("the path drawn is that of Newton's equations, G going uniformly")

@@ -90,7 +90,8 @@ double slowest(const Energy<Fifty>& e)  // (B), where it is below 180°; else th
 
 TELL
 {
-  require(c <= 1e6 * k && k <= 1e40 * c, "c", "between 1e-40 and a million times k");
+  require(c <= 1e6 * k, "c", "between 1e-40 and a million times k");
+  require(k <= 1e40 * c, "c", "between 1e-40 and a million times k");
   const Fifty c_ = c.fifty(), kk = k.fifty() * k.fifty(), g_ = g.fifty();
   const Energy<Fifty> e = asked.fifty(c_, kk, g_);
   const Place<Fifty> there = where.fifty();
@@ -188,6 +189,22 @@ CHECK_THAT("the numbers told are (3) and (4), and the turning points their zeros
           == within_relative(e.h > (3 + r2) / 4 ? Fifty(acos(least)) : end, 2e-15,
                              "the library's eight ulps"));
   }
+}
+
+CHECK_THAT("it refuses a c, an energy and an angle just beyond its limits, and none on them")
+{
+  // With c = 1/8 and g = k = 1 h is ζζ; with h = 1/4 the ball gets to 60°, with 3/4 to 120°.
+  for(const char* const beyond :
+      {"c=1000000.0000000002 k=1", "c=500000.0000000001 k=0.5", "c=0.9999999999999998 k=1e40",
+       "c=1.9999999999999996 k=2e40", "from_top=0.5 zeta=1e-300",
+       "c=0.125 g=1 k=1 Phi=0 zeta=9.9999999999999999e-51", "c=0.125 g=1 k=1 zeta=1.0000000000000001e50",
+       "h=0.25 Phi=60.00000000000001", "h=0.75 Phi=120.00000000000001", "h=0.25 psi=119.99999999999999"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"c=1e6 k=1", "c=5e5 k=0.5", "c=1 k=1e40", "c=2 k=2e40", "from_top=0.5",
+       "c=0.125 g=1 k=1 Phi=0 zeta=1.0000000000000001e-50", "c=0.125 g=1 k=1 zeta=1e50", "h=0.25 Phi=60",
+       "h=0.75 Phi=120", "h=0.25 psi=120"})
+    CHECK(!refused_at(within_them));
 }
 
 CHECK_THAT("where (4) has its least velocity there is no pressure, and the acceleration changes its sign")

@@ -87,7 +87,9 @@ TELL
   const Energy<Fifty> e = asked.fifty(c_, k_ * k_, g_);
   const Place<Fifty> there = where.fifty();
   require(gets_to(e, there), where.psi == 0 ? "Phi" : "psi", "an angle that the ball gets to");
-  require(e.h * c_ <= 1e100 && e.h * g_ <= 1e100, "h", "an energy below 1e100 over c and over g");
+  const char* const by = asked.zeta != 0 ? "zeta" : asked.from_top != 0 ? "from_top" : "h";
+  require(e.h * c_ <= 1e100, by, "an energy h of at most 1e100 over c");
+  require(e.h * g_ <= 1e100, by, "an energy h of at most 1e100 over g");
   const Parts now = parts(c_, k_, g_, e, there);
   const Fifty forwards = f.fifty() * f.fifty();
   tell("turning", double(now.turning), squares, "of the turning, kk(dΦ/dt)², (1)");
@@ -96,7 +98,8 @@ TELL
   tell("whole", double(forwards + now.turning + now.upright), squares, "the whole");
   tell("impressed", double(forwards + 8 * g_ * c_ * e.h), squares, "what was impressed, ff + ζζkk");
   tell("lost", double(now.lost), squares, "what the rise of G has cost, 4gc(1 − cos Φ)");
-  tell("share", double(now.upright / (now.upright + now.turning)), percent,
+  const Fifty side = c_ * 2 * there.s * there.c;
+  tell("share", double(side * side / (side * side + k_ * k_)), percent,  // (A), at rest, too
        "the upright part's share of what is not ff");
 }
 
@@ -193,6 +196,24 @@ CHECK_THAT("the parts and their sum are (1), (3) and (5) at every scale")
   }
 }
 
+CHECK_THAT(
+    "it refuses an energy and an angle just beyond its limits, however they are given, and none on them")
+{
+  // h is ζζ with c = 1/2, g = 1/4 and k = 1, or with g = 1/8, c = k = 1; hc is it with g = 1/8 and k = 1.
+  for(const char* const beyond :
+      {"from_top=0.5 zeta=1e-300", "c=0.5 g=0.25 k=1 Phi=0 zeta=9.9999999999999999e-51",
+       "c=0.5 g=0.25 k=1 zeta=1.0000000000000001e50", "h=0.25 Phi=60.00000000000001",
+       "h=0.75 Phi=120.00000000000001", "h=0.25 psi=119.99999999999999", "c=1e50 h=1.0000000000000001e50",
+       "c=1e50 from_top=-1.0000000000000001e50", "c=1e50 g=0.125 k=1 zeta=1.0000000000000001e50",
+       "g=1e50 h=1.0000000000000001e50", "g=1e60 h=1.0000000000000001e40"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"from_top=0.5", "c=0.5 g=0.25 k=1 Phi=0 zeta=1.0000000000000001e-50", "c=0.5 g=0.25 k=1 zeta=1e50",
+       "h=0.25 Phi=60", "h=0.75 Phi=120", "h=0.25 psi=120", "c=1e50 h=1e50", "c=1e50 from_top=-1e50",
+       "c=1e50 g=0.125 k=1 zeta=1e50", "g=1e50 h=1e50", "g=1e60 h=1e40"})
+    CHECK(!refused_at(within_them));
+}
+
 /*!
 Without its brackets {{eq 4}} is no identity: the second member would be an area, added to squares of
 velocities. Its number is judged by the motion. Our ball, with $g = 1$, starts with $\zeta = 3$; what is
@@ -266,6 +287,6 @@ half.
 
 CHECK_THAT("with c = k the upright part is just half at 90°")
 {
-  for(const Told& now : told_at("c=0.6 Phi=90"))
+  for(const Told& now : told_at("c=0.6 Phi=90", "c=0.6 h=0.5 Phi=90"))  // where h is ½ it stands there
     CHECK(now.value("share", percent) == within_ulps(Fifty(1) / 2, 1, "rounded once"));
 }

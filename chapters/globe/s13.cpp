@@ -134,13 +134,15 @@ Fifty beyond()  // by how much h is greater than §20 allows
 
 TELL
 {
-  require(c <= 100 * k && k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
+  require(c <= 100 * k, "c", "between 1e-40 and a hundred times k");
+  require(k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
   const Energy<Fifty> e0 = asked.smooth(c, k, g);
   const Place<Fifty> place0 = where.fifty();
   const auto e = rounded(e0);
   const double second = std::sqrt(2 * g) * std::sqrt(c);  // what one second is in τ
   const double quarter = smooth::quarter<double>(c, k, e);
-  require(t <= (e.from_top == 0 ? 600 * k : 1e6 * quarter) / second, "t", "a time of fewer turns");
+  require(e.from_top != 0 || t <= 600 * k / second, "t", "at most 600 k:√(2gc) where h is 1");
+  require(e.from_top == 0 || t <= 1e3 * quarter / second, "t", "the time of 500 swings or whole turns");
   const Turned turned = smooth::angle(c, k, e, t * second);
   const auto second_energy = smooth::second_energy<double>(c, k);
   tell("energy", e.h, "h, the energy as a part of what the top asks for");
@@ -298,6 +300,39 @@ CHECK_THAT("the times and angles told are those of the integral in fifty digits,
     CHECK(now.value("swing", seconds) == infinite("with just the velocity for the top"));
   for(const Told& now : told_at("Phi=90.001", "h=1e-30", "h=1 Phi=180"))
     CHECK(now.value("t_Phi", seconds) == infinite("the ball stops before"));
+}
+
+CHECK_THAT("it refuses a c, an energy and a time just beyond its limits, and none on them")
+{
+  // With c = 1/8 and g = k = 1 h is ζζ; with c = 1 and g = 1/2 a second is one in τ.
+  for(const char* const beyond :
+      {"c=50.00000000000001 k=0.5", "c=100.00000000000002 k=1", "c=0.9999999999999998 k=1e40",
+       "c=1.9999999999999996 k=2e40", "from_top=0.5 zeta=1e-300",
+       "c=0.125 g=1 k=1 zeta=9.9999999999999999e-51", "c=0.125 g=1 k=1 t=0 zeta=1.0000000000000001e50",
+       "h=1 c=1 g=0.5 k=1 t=600.0000000000002", "h=1 c=4 g=2 k=2 t=300.0000000000001"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"c=50 k=0.5", "c=100 k=1", "c=1 k=1e40", "c=2 k=2e40", "from_top=0.5",
+       "c=0.125 g=1 k=1 zeta=1.0000000000000001e-50", "c=0.125 g=1 k=1 t=0 zeta=1e50",
+       "h=1 c=1 g=0.5 k=1 t=600", "h=1 c=4 g=2 k=2 t=300"})
+    CHECK(!refused_at(within_them));
+}
+
+CHECK_THAT("where the time is not infinite it may be that of 500 swings or turns, and not of more")
+{
+  for(const char* const motion : {"", "c=0.5 k=0.5 h=3 g=2 ", "from_top=1e-9 "})
+  {
+    Fifty most;
+    for(const Told& now : told_at(motion))
+    {
+      const Fifty swing = 2 * oracle::smooth_quarter(c.fifty(), k.fifty(), asked.smooth(c, k, g))
+                          / sqrt(2 * g.fifty() * c.fifty());
+      CHECK(now.value("swing", seconds) == within_relative(swing, 4e-15, "eight ulps and a root"));
+      most = 500 * swing;
+    }
+    CHECK(!refused_at(motion + ("t=" + Fifty(most * (1 - Fifty(1e-12))).str(20))));
+    CHECK(refused_at(motion + ("t=" + Fifty(most * (1 + Fifty(1e-12))).str(20))));
+  }
 }
 
 CHECK_THAT("the time told brings the ball by the equations of motion to the angle asked for, and Φ is ζt "

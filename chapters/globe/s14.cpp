@@ -82,12 +82,14 @@ const auto t = real("t", 0.4, seconds, closed(0, 1e100), "time since the lowest 
 
 TELL
 {
-  require(c <= 1e3 * k && k <= 1e40 * c, "c", "between 1e-40 and a thousand times k");
+  require(c <= 1e3 * k, "c", "between 1e-40 and a thousand times k");
+  require(k <= 1e40 * c, "c", "between 1e-40 and a thousand times k");
   const Energy<Fifty> e0 = asked.fifty(c.fifty(), k.fifty() * k.fifty(), g.fifty());
-  require(e0.h < 1, "h", "less than 1: the ball is to rock");
+  const char* const by = asked.zeta != 0 ? "zeta" : asked.from_top != 0 ? "from_top" : "h";
+  require(e0.from_top > 0, by, "an energy h below 1: the ball is to rock");
   const auto e = rounded(e0);
   const double n = std::sqrt(2 * g) * std::sqrt(c) / k, A = 2 * std::sqrt(e.h);
-  require(t * n <= 1e3, "t", "a thousandth part of a second times n, or less");
+  require(t * n <= 1e3, "t", "at most a thousand over n");
   const double phase = double(t.fifty() * sqrt(2 * g.fifty() * c.fifty()) / k.fifty());
   tell("n", n, Unit{"1/s"}, "n, the frequency");
   tell("A", A, degrees, "ζ:n, the greatest Φ by (4)");
@@ -144,8 +146,8 @@ Fifty by_equations(const Energy<Fifty>& e, const Fifty& phase)  // Φ at nt = φ
 
 CHECK_THAT("the angles told are (4), (A), and the motion's own")
 {
-  for(const Told& now :
-      told_at("", "zeta=0.01 t=0.5", "h=0.3 c=0.5 t=0.9", "h=1e-30 c=40 k=1 t=0.2", "from_top=0.01 t=0"))
+  for(const Told& now : told_at("", "zeta=0.01 t=0.5", "h=0.3 c=0.5 t=0.9", "h=1e-30 c=40 k=1 t=0.2",
+                                "from_top=0.01 t=0", "from_top=1e-100"))
   {
     const Fifty c_ = c.fifty(), k_ = k.fifty(), n = sqrt(2 * g.fifty() * c_) / k_, phase = n * t.fifty();
     const Energy<Fifty> e = asked.fifty(c_, k_ * k_, g.fifty());
@@ -165,6 +167,24 @@ CHECK_THAT("the angles told are (4), (A), and the motion's own")
     CHECK(now.value("Phi", degrees)
           == within(by_equations(e, phase), 8 * slack, "the library's ten ulps of the time"));
   }
+}
+
+CHECK_THAT(
+    "it refuses a c, an energy and a time just beyond its limits, however given, and none before them")
+{
+  // With c = 1/8 and g = k = 1 h is ζζ; with c = k = 1 and g = 1/2 n is 1.
+  for(const char* const beyond :
+      {"c=1000.0000000000002 k=1", "c=500.0000000000001 k=0.5", "c=0.9999999999999998 k=1e40",
+       "c=1.9999999999999996 k=2e40", "from_top=0.5 zeta=1e-300",
+       "c=0.125 g=1 k=1 zeta=9.9999999999999999e-51", "h=1", "from_top=-1e-100", "c=0.125 g=1 k=1 zeta=1",
+       "c=0.125 g=1 k=1 zeta=1e50", "c=0.125 g=1 k=1 zeta=1.0000000000000001e50",
+       "c=1 g=0.5 k=1 t=1000.0000000000002", "c=4 g=2 k=2 t=500.0000000000001"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them :
+      {"c=1000 k=1", "c=500 k=0.5", "c=1 k=1e40", "c=2 k=2e40", "from_top=0.5",
+       "c=0.125 g=1 k=1 zeta=1.0000000000000001e-50", "h=0.99999999999999999", "from_top=1e-100",
+       "c=0.125 g=1 k=1 zeta=0.99999999999999999", "c=1 g=0.5 k=1 t=1000", "c=4 g=2 k=2 t=500"})
+    CHECK(!refused_at(within_them));
 }
 
 CHECK_THAT("the exact angle differs from (4) by what (A) adds, but for terms smaller by h(1 + cc:kk) again")

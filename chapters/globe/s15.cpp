@@ -83,9 +83,11 @@ const auto asked = asked_energy(0.07);
 
 Energy<double> energy_asked()
 {
-  require(c <= 100 * k && k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
+  require(c <= 100 * k, "c", "between 1e-40 and a hundred times k");
+  require(k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
   const Energy<Fifty> e = asked.fifty(c.fifty(), k.fifty() * k.fifty(), g.fifty());
-  require(e.h < 1, "h", "less than 1: the ball is to rock");
+  const char* const by = asked.zeta != 0 ? "zeta" : asked.from_top != 0 ? "from_top" : "h";
+  require(e.from_top > 0, by, "an energy h below 1: the ball is to rock");
   return rounded(e);
 }
 
@@ -153,6 +155,8 @@ All ways are asked for the excess. Ask for `--h 1e-20`, or for `--c 1`, where $4
 
 Fifty by_mean(const Fifty& q, const Energy<Fifty>& e)  // (A) less 1, with no difference of great numbers
 {
+  if(e.from_top < 1e-12)  // where the integrand has a peak, but the excess is great
+    return oracle::smooth_quarter(sqrt(q), 1, e) * 2 / exact::pi() - 1;
   const auto f = [&](const Fifty& angle) {  // from the farthest place
     const Fifty X = e.h * pow(cos(angle), 2), rest = e.from_top + e.h * pow(sin(angle), 2);
     return X * (1 / rest + 4 * q) / (1 + sqrt((1 + 4 * q * X * rest) / rest));
@@ -191,7 +195,7 @@ CHECK_THAT(
     "the times, the amplitudes and the excess told are those of the integral, however small the swing")
 {
   for(const Told& now : told_at("", "h=1e-20", "from_top=1e-12 c=0.4", "zeta=1e-8 c=1e-12",
-                                "h=0.5 c=50 k=1 g=1e-70", "h=0.99 c=50 k=0.5"))
+                                "h=0.5 c=50 k=1 g=1e-70", "h=0.99 c=50 k=0.5", "from_top=1e-100 c=0.5"))
   {
     const Fifty c_ = c.fifty(), k_ = k.fifty(), g_ = g.fifty(), second = sqrt(2 * g_ * c_);
     const Energy<Fifty> e = asked.fifty(c_, k_ * k_, g_);
@@ -250,11 +254,20 @@ exact::Series<Number> expanded(const Number& q, int order)  // the root in (A), 
   return root;
 }
 
-CHECK_THAT("it refuses a ball that turns over, and ratios of c to k that are beyond its limits")
+CHECK_THAT(
+    "it refuses a ball that turns over, and ratios of c to k that are beyond its limits, none before them")
 {
-  for(const char* const within_them : {"h=0.999", "c=50 k=0.5", "c=1 k=1e40"})
+  // With c = 1/8 and g = k = 1 h is ζζ.
+  for(const char* const within_them :
+      {"c=50 k=0.5", "c=100 k=1", "c=1 k=1e40", "c=2 k=2e40", "from_top=0.5",
+       "c=0.125 g=1 k=1 zeta=1.0000000000000001e-50", "h=0.99999999999999999", "from_top=1e-100",
+       "c=0.125 g=1 k=1 zeta=0.99999999999999999"})
     CHECK(!refused_at(within_them));
-  for(const char* const beyond : {"h=1", "c=50.1 k=0.5", "c=1 k=1.1e40"})
+  for(const char* const beyond :
+      {"c=50.00000000000001 k=0.5", "c=100.00000000000002 k=1", "c=0.9999999999999998 k=1e40",
+       "c=1.9999999999999996 k=2e40", "from_top=0.5 zeta=1e-300",
+       "c=0.125 g=1 k=1 zeta=9.9999999999999999e-51", "h=1", "from_top=-1e-100", "c=0.125 g=1 k=1 zeta=1",
+       "c=0.125 g=1 k=1 zeta=1e50", "c=0.125 g=1 k=1 zeta=1.0000000000000001e50"})
     CHECK(refused_at(beyond));
 }
 

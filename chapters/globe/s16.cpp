@@ -96,7 +96,8 @@ double square(const Place<double>& there)  // X
 
 TELL
 {
-  require(c <= 1e6 * k && k <= 1e40 * c, "c", "between 1e-40 and a million times k");
+  require(c <= 1e6 * k, "c", "between 1e-40 and a million times k");
+  require(k <= 1e40 * c, "c", "between 1e-40 and a million times k");
   const auto there = rounded(where.fifty());
   const double X = square(there), second = std::sqrt(8 * g) * std::sqrt(c), r = c / k;
   const double up = 2 * r * there.c * there.c;  // c(1 + cos Φ):k
@@ -225,6 +226,15 @@ CHECK_THAT("the rates told are those of (5) and of the root, their difference (B
     CHECK(now.value("rate", Unit{"s/rad"}) == infinite("the ball does not get past the top"));
     CHECK(now.value("rate_euler", Unit{"s/rad"}) == infinite("nor by (5)"));
   }
+}
+
+CHECK_THAT("a c of a million times k is told of, and one of a part in 1e40; a hair beyond them is refused")
+{
+  for(const char* const within_them : {"c=1e6 k=1", "c=5e5 k=0.5", "c=1 k=1e40", "c=2 k=2e40"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=1000000.0000000002 k=1", "c=500000.0000000001 k=0.5",
+                                  "c=0.9999999999999998 k=1e40", "c=1.9999999999999996 k=2e40"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("(4) holds for the ζ of (3) at every angle, and for no other velocity")

@@ -78,7 +78,7 @@ Fifty place()  // ω
 {
   require(Phi == 0 || Phi >= 1e-20, "Phi", "0, or 1e-20 radians and more");
   const Fifty w = Phi == 0 ? omega.fifty() : Fifty((exact::pi() - Phi.fifty()) / 2);
-  require(w > 1e-45 || Phi == 0, "Phi", "less than 180°");
+  require(w > 1e-35 || Phi == 0, "Phi", "short of 180° by more than 2e-35 radians");
   return w;
 }
 
@@ -179,6 +179,18 @@ CHECK_THAT("the times told are those of the motion, and of (5), however near the
     CHECK(now.value("behind", seconds)
           == within_relative(2 * c_ * c_ / (3 * k_) / second, 2e-16, "rounded once"));
   }
+}
+
+CHECK_THAT("it refuses a c and a Φ just beyond its limits, at the top and at the lowest place, none on "
+           "them")
+{
+  for(const char* const within_them :
+      {"c=50 k=0.5", "c=100 k=1", "Phi=1e-20rad", "Phi=0", "Phi=179.99999999999999999999999999999999"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"c=50.00000000000001 k=0.5", "c=100.00000000000002 k=1", "Phi=9.99999999999999e-21rad",
+       "Phi=1e-300rad", "Phi=179.999999999999999999999999999999999", "Phi=180"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("near the top the ball lags behind its pendulum by (A), if c is small")

@@ -332,6 +332,14 @@ CHECK_THAT("the times and the race told are (1), its next term, (A), and Gauss's
   }
 }
 
+CHECK_THAT("a ball whose c is more than a hundred times k is refused, and one whose c is just that is not")
+{
+  for(const char* const within_them : {"c=100 k=1", "c=200 k=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=100.00000000000001 k=1", "c=200.00000000000003 k=2"})
+    CHECK(refused_at(beyond));
+}
+
 CHECK_THAT("the points of the climb are where the equations of motion bring the ball in those times")
 {
   for(const Told& now : told_at(""))

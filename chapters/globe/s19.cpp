@@ -89,7 +89,7 @@ const auto where = asked_place(120_deg);
 Fifty from_top()  // ψ
 {
   const Fifty psi = where.psi == 0 ? Fifty(exact::pi() - where.Phi.fifty()) : where.psi.fifty();
-  require(psi > 1e-45 || where.psi > 0, "Phi", "less than 180°");
+  require(where.psi > 0 || psi >= 1e-33, "Phi", "less than 180° by 1e-33 rad or more: nearer by --psi");
   return psi;
 }
 
@@ -106,9 +106,10 @@ Fifty turning(const Place<Fifty>& there)  // dΦ/dt
 
 TELL
 {
-  require(c <= 100 * k && k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
+  require(c <= 100 * k, "c", "at most a hundred times k");
+  require(k <= 1e40 * c, "c", "at least 1e-40 of k");
   const Fifty psi = from_top();
-  require(psi >= 1e-300, "psi", "an angle not less than 1e-300");
+  require(psi >= Fifty("1e-300"), "psi", "at least 1e-300 rad");
   const double second = std::sqrt(2 * g) * std::sqrt(c);
   const Place<Fifty> there = where.fifty();
   const Place<double> place = rounded(there);
@@ -228,6 +229,18 @@ CHECK_THAT("the numbers told are (1), (3), (A), at every scale and however near 
     if(psi > 1e-5)
       CHECK(five == within_relative(euler(exact::pi() - psi), 1e-40, "(2) with Φ"));
   }
+}
+
+CHECK_THAT("it refuses a c beyond 1e-40 or a hundred times k, and a place too near the top for its digits")
+{
+  for(const char* const within_them : {"c=100 k=1", "c=200 k=2", "c=1 k=1e40", "c=2 k=2e40",
+                                       "psi=1e-300rad", "Phi=179.9999999999999999999999999999999427"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"c=100.00000000000001 k=1", "c=200.00000000000003 k=2", "c=0.9999999999999999 k=1e40",
+       "c=1.9999999999999998 k=2e40", "psi=9.999999999999999e-301rad",
+       "Phi=179.9999999999999999999999999999999428", "Phi=180"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("(2) and (3) are the same, and (B); in the race each way is as good as its angle")

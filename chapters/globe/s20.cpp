@@ -90,7 +90,8 @@ const char* kind(const Energy<Fifty>& e)
 
 TELL
 {
-  require(c <= 1e6 * k && k <= 1e40 * c, "c", "between 1e-40 and a million times k");
+  require(c <= 1e6 * k, "c", "at most a million times k");
+  require(k <= 1e40 * c, "c", "at least 1e-40 of k");
   const Energy<Fifty> e = asked.fifty(c.fifty(), k.fifty() * k.fifty(), g.fifty());
   const Fifty over = exceeds(e);
   const double second = std::sqrt(2 * g) * std::sqrt(c), most = double(limit());
@@ -229,6 +230,25 @@ CHECK_THAT("what the ball does, and the numbers of (1), (2), (A), (B) and (C), a
   }
   for(const Told& now : told_at("h=1"))
     CHECK(now.value("kind") == "approaches the top for ever");
+}
+
+CHECK_THAT("a ball is refused whose c is more than a million times k, or less than 1e-40 of it")
+{
+  for(const char* const within_them : {"c=1e6 k=1", "c=2e6 k=2", "c=1 k=1e40", "c=2 k=2e40"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=1000000.0000000002 k=1", "c=2000000.0000000005 k=2",
+                                  "c=0.9999999999999999 k=1e40", "c=1.9999999999999998 k=2e40"})
+    CHECK(refused_at(beyond));
+}
+
+CHECK_THAT("a ζ is refused together with 1 − h, and where its h is less than 1e-100 or more than 1e100")
+{
+  for(const char* const within_them :
+      {"from_top=0.5", "zeta=1.0000000000000001e-50 c=1 k=1 g=0.125", "zeta=1e50 c=1 k=1 g=0.125"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"from_top=0.5 zeta=1e-9", "zeta=9.999999999999999e-51 c=1 k=1 g=0.125",
+                                  "zeta=1.0000000000000002e50 c=1 k=1 g=0.125"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("with no more than (B) allows, the plane bears something everywhere but at the top")

@@ -116,7 +116,8 @@ Fifty beyond()  // by how much h = ½nn is greater than §20 allows
 
 TELL
 {
-  require(c <= k && k <= 1e40 * c, "c", "between 1e-40 k and k: it is to be small");
+  require(c <= k, "c", "at most k: it is to be small");
+  require(k <= 1e40 * c, "c", "at least 1e-40 of k");
   const double X = X_at(Phi.fifty()), Y = Y_at(Phi, n), nn = n * n;
   const Factor now = factor(X, Y);
   tell("zeta", 2 * n / k * std::sqrt(g) * std::sqrt(c), Unit{"1/s"}, "ζ, by (1)");
@@ -283,6 +284,15 @@ CHECK_THAT("(B) are the means of the three terms, and with (5) they are the true
           == within_relative(small * small * (Fifty(1) / 8 + Fifty(9) / 16 - Fifty(3) / 64),
                              2 * double(small), "the third order"));
   }
+}
+
+CHECK_THAT("a ball is refused whose c is more than k, or less than 1e-40 of it")
+{
+  for(const char* const within_them : {"c=1 k=1", "c=2 k=2", "c=1 k=1e40", "c=2 k=2e40"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=1.0000000000000002 k=1", "c=2.0000000000000005 k=2",
+                                  "c=0.9999999999999999 k=1e40", "c=1.9999999999999998 k=2e40"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("with more than the greatest n told the ball is without pressure at the angle told")

@@ -131,8 +131,9 @@ Fifty late()  // (4) less the exact time, as a part of this
 
 TELL
 {
-  require(c <= 1.5 * k && k <= 1e40 * c, "c", "between 1e-40 and 3/2 of k: it is to be small");
-  require(mean_anomaly() <= 6300, "t", "the time of a thousand turns or less");
+  require(c <= 1.5 * k, "c", "at most 3/2 of k: it is to be small");
+  require(k <= 1e40 * c, "c", "at least 1e-40 of k");
+  require(mean_anomaly() <= 2000 * exact::pi(), "t", "the time of a thousand turns or less");
   const double second = std::sqrt(2 * g) * std::sqrt(c), pi = std::numbers::pi;
   const auto e = rounded(energy(Fifty(n.fifty() * n.fifty() / 2)));
   const double whole = 2 * smooth::quarter<double>(c, k, e);
@@ -380,6 +381,17 @@ CHECK_THAT(
           == within_relative(oracle::smooth_time(c_, k_, e, place(low)) / second / sqrt(g.fifty()), 1e-14,
                              "eight ulps, a root, and the excess"));
   }
+}
+
+CHECK_THAT("a c beyond 3/2 of k or below 1e-40 of it is refused, and a time of more than a thousand turns")
+{
+  for(const char* const within_them :
+      {"c=1.5 k=1", "c=3 k=2", "c=1 k=1e40", "c=2 k=2e40", "t=391.39008", "n=2 c=1 k=1 g=1 t=2159.8449"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"c=1.5000000000000002 k=1", "c=3.0000000000000005 k=2", "c=0.9999999999999999 k=1e40",
+       "c=1.9999999999999998 k=2e40", "t=391.39009", "n=2 c=1 k=1 g=1 t=2159.845"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("(B) is the inverse of (A) but for the third order, and (C) the turn but for it")

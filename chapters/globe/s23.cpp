@@ -172,7 +172,8 @@ Fifty over()  // what h = ½nn exceeds the limit by
 
 TELL
 {
-  require(c <= 100 * k && k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
+  require(c <= 100 * k, "c", "at most a hundred times k");
+  require(k <= 1e40 * c, "c", "at least 1e-40 of k");
   const double second = std::sqrt(2 * g) * std::sqrt(c), zeta = std::numbers::sqrt2 * n / k * second;
   tell("w_low", zeta, Unit{"1/s"}, "dΦ/dt in the perihelion, G lowest: ζ");
   tell("C_low", f + c * zeta, Unit{"ft/s"}, "ds/dt there");
@@ -453,6 +454,15 @@ CHECK_THAT("the flights of the table are such, and near the limit the ball is do
       if(psi < 1e-3)
         CHECK(lands * stone.w == within_relative(4 * psi, 1e-6, "the next term is of the second order"));
     }
+}
+
+CHECK_THAT("a ball is refused whose c is more than a hundred times k, or less than 1e-40 of it")
+{
+  for(const char* const within_them : {"c=100 k=1", "c=200 k=2", "c=1 k=1e40", "c=2 k=2e40"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=100.00000000000001 k=1", "c=200.00000000000003 k=2",
+                                  "c=0.9999999999999999 k=1e40", "c=1.9999999999999998 k=2e40"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("the curves are what the living force leaves, and the edge is where the pressure vanishes")

@@ -104,7 +104,8 @@ TELL
 {
   const Ball<Fifty> ball = exact_ball(a, c, k);
   require_rolling(rounded(ball));
-  require(w / g * w * std::max<double>({a, c, k}) <= 1e100, "w", "a w² a and w² c of at most 1e100 g");
+  require(w / g * w * std::max<double>({a, c, k}) <= 1e100, "w",
+          "so small that w² a, w² c and w² k are at most 1e100 g");
   const Place<Fifty> there = asked.fifty();
   const Rolling<Fifty> now = rolling_at(ball, there, w.fifty(), g.fifty());
   tell("turning", double(2 * g.fifty() * now.turning), Unit{"1/s²"}, "ddΦ/dt²");
@@ -262,6 +263,18 @@ Fifty lambda_at(const Fifty& Phi, const Fifty& w_)  // by the accelerations of r
 {
   const auto rolls = rolling_accelerations<Fifty>(exact_ball(a, c, k), g.fifty(), Phi, w_);
   return -rolls.x / (2 * g.fifty() * rolls.pressure);
+}
+
+CHECK_THAT("a ball with c = a is refused whose k is less than 1e-20 of them, and a w with a product beyond "
+           "1e100 g")
+{
+  for(const char* const within_them : {"c=1 k=1e-20", "a=2 c=2 k=2e-20", "a=1e100 g=1 w=1",
+                                       "c=1e100 g=1 w=1", "k=1e100 g=1 w=1", "a=1e100 g=4 w=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=1 k=9.9999999999999e-21", "a=2 c=2 k=1.9999999999999e-20",
+                                  "a=1e100 g=1 w=1.0000000000000002", "c=1e100 g=1 w=1.0000000000000002",
+                                  "k=1e100 g=1 w=1.0000000000000002", "a=1e100 g=4 w=2.0000000000000005"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT(

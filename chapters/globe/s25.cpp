@@ -101,7 +101,6 @@ Real smooth_velocity(const Ball<Real>& ball, const Energy<Real>& e, const Place<
 
 TELL
 {
-  require_rolling({a, c, k});
   require(c <= 100 * k, "c", "at most a hundred times k");
   const Ball<Fifty> ball = exact_ball(a, c, k);
   const Energy<Fifty> e = asked.rolling(a, c, k, g);
@@ -227,7 +226,31 @@ CHECK_THAT(
     CHECK(now.value("w", Unit{"1/s"}) == within(0, 0, "at rest"));
     CHECK(now.value("w_smooth", Unit{"1/s"}) == within(0, 0, "at rest"));
   }
-  CHECK(refused_at("from_top=1e-300 psi=1e-160"));
+  for(const char* const within_them : {"h=0.25 Phi=60", "from_top=1e-300 psi=2e-150rad"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"h=0.25 Phi=60.00000000000000000001", "from_top=1e-300 psi=1.99999999999999999999e-150rad"})
+    CHECK(refused_at(beyond));
+}
+
+CHECK_THAT("a ball whose c is more than a hundred times k is refused, and one whose c is just that is not")
+{
+  for(const char* const within_them : {"c=100 k=1", "c=200 k=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=100.00000000000001 k=1", "c=200.00000000000003 k=2"})
+    CHECK(refused_at(beyond));
+}
+
+CHECK_THAT("a ζ is refused together with 1 − h, and where its h is less than 1e-100 or more than 1e100")
+{
+  for(const char* const within_them :
+      {"from_top=0.5 Phi=0", "zeta=1.0000000000000001e-50 a=2 c=1 k=1 g=0.25 Phi=0",
+       "zeta=1e50 a=2 c=1 k=1 g=0.25"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"from_top=0.5 zeta=1e-9 Phi=0", "zeta=9.999999999999999e-51 a=2 c=1 k=1 g=0.25 Phi=0",
+       "zeta=1.0000000000000002e50 a=2 c=1 k=1 g=0.25"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("the velocities told are (3) and the acceleration is that of the equations of motion")

@@ -297,6 +297,30 @@ CHECK_THAT("at rest, with G close to the plane, and where little pressure is lef
   }
 }
 
+CHECK_THAT("a place beyond the one where the ball turns back is refused, and a ball with c = a and k below "
+           "1e-20 a")
+{
+  for(const char* const within_them :
+      {"h=0.25 Phi=60", "from_top=1e-300 psi=2e-150rad", "c=1 k=1e-20", "a=2 c=2 k=2e-20"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"h=0.25 Phi=60.00000000000000000001", "from_top=1e-300 psi=1.99999999999999999999e-150rad",
+       "c=1 k=9.9999999999999e-21", "a=2 c=2 k=1.9999999999999e-20"})
+    CHECK(refused_at(beyond));
+}
+
+CHECK_THAT("a ζ is refused together with 1 − h, and where its h is less than 1e-100 or more than 1e100")
+{
+  for(const char* const within_them :
+      {"from_top=0.5 Phi=0", "zeta=1.0000000000000001e-50 a=2 c=1 k=1 g=0.25 Phi=0",
+       "zeta=1e50 a=2 c=1 k=1 g=0.25"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"from_top=0.5 zeta=1e-9 Phi=0", "zeta=9.999999999999999e-51 a=2 c=1 k=1 g=0.25 Phi=0",
+       "zeta=1.0000000000000002e50 a=2 c=1 k=1 g=0.25"})
+    CHECK(refused_at(beyond));
+}
+
 CHECK_THAT("near the top, and with G close to the plane, (C) keeps its digits, and the other ways lose "
            "half of them")
 {

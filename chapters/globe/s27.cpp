@@ -134,9 +134,10 @@ Fifty energy_of(const Fifty& C)
 TELL
 {
   const Ball<Fifty> ball = exact_ball(a, c, k);
-  require(c >= 1e-6 * a && c <= 100 * a, "c", "between a millionth of a and a hundred a");
-  require(k >= 1e-12 * std::max<double>(a, c) && k <= 100 * a, "k",
-          "between 1e-12 of a and c and a hundred a");
+  require(c >= 1e-6 * a, "c", "at least a millionth of a");
+  require(c <= 100 * a, "c", "at most a hundred a");
+  require(k >= 1e-12 * std::max<double>(a, c), "k", "at least 1e-12 of a and of c");
+  require(k <= 100 * a, "k", "at most a hundred a");
   const Energy<Fifty> e = asked.rolling(a, c, k, g);
   const auto most = rolling::greatest_friction(ball, e);
   const Fifty C = ball.c * (e.h - e.from_top);
@@ -389,6 +390,28 @@ CHECK_THAT("the pressure is first lost at the top up to the c of (A), and beyond
       const double k_ = k, bound = (std::sqrt(4 + 3 * k_ * k_) - 1) / 3;
       CHECK((row.at("Phi", degrees) < 3.14) == (row.at("c") > bound * 1.001));
     }
+}
+
+CHECK_THAT("a ball is refused whose c or k is out of proportion to a, or whose k to c")
+{
+  for(const char* const within_them : {"c=1e-6", "a=2 c=2e-6", "c=100", "a=2 c=200", "k=1e-12",
+                                       "a=2 c=1 k=2e-12", "c=2 k=2e-12", "k=100", "a=2 k=200"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"c=9.99999999999999e-7", "a=2 c=1.99999999999999e-6", "c=100.00000000000001",
+       "a=2 c=200.00000000000003", "k=9.99999999999999e-13", "a=2 c=1 k=1.99999999999999e-12",
+       "c=2 k=1.99999999999999e-12", "k=100.00000000000001", "a=2 k=200.00000000000003"})
+    CHECK(refused_at(beyond));
+}
+
+CHECK_THAT("a ζ is refused together with 1 − h, and where its h is less than 1e-100 or more than 1e100")
+{
+  for(const char* const within_them :
+      {"from_top=0.5", "zeta=1.0000000000000001e-50 a=2 c=1 k=1 g=0.25", "zeta=1e50 a=2 c=1 k=1 g=0.25"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"from_top=0.5 zeta=1e-9", "zeta=9.999999999999999e-51 a=2 c=1 k=1 g=0.25",
+                                  "zeta=1.0000000000000002e50 a=2 c=1 k=1 g=0.25"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("for very small c Euler's fraction (2) becomes (3), and its λ becomes (5), with C from (4)")

@@ -108,7 +108,6 @@ double smooth_to_place(const Energy<double>& e, const Place<double>& at)
 TELL
 {
   const Ball<double> ball = rounded_ball(a, c, k);
-  require_rolling(ball);
   require(c <= 1e9 * k, "c", "at most a thousand million k");
   const Ball<Fifty> exactly = exact_ball(a, c, k);
   const Energy<Fifty> exact_e = asked.rolling(a, c, k, g);
@@ -117,8 +116,11 @@ TELL
   const bool gets = gets_to(exact_e, exact_at);
   const Energy<double> e = rounded(exact_e);
   const Place<double> at = rounded(exact_at);
-  const double whole = e.from_top == 0 ? 600 * std::hypot(a + c, k) : 1e6 * rolling::quarter(ball, e);
-  require(t <= whole / second(), "t", "a time of fewer turns");
+  if(e.from_top == 0)
+    require(t <= 600 * std::hypot(a + c, k) / second(), "t", "at most 600 times √((a + c)² + kk) : √2gc");
+  else
+    require(t <= 1e6 * rolling::quarter(ball, e) / second(), "t",
+            "at most a million times what the way to the end or the top takes");
   const Turned turned = rolling::angle(ball, e, t * second());
   tell("energy", e.h, "h, the energy as a part of what the top asks for");
   tell("below_top", e.from_top, "1 − h");
@@ -243,9 +245,22 @@ CHECK_THAT("the times and angles told are those of the integral (2), from rest t
 
 CHECK_THAT("it refuses balls and times beyond its limits, and follows what lies within them")
 {
-  for(const char* const within_them : {"c=1e9 k=1", "h=1 t=425", "t=1e6"})
+  for(const char* const within_them :
+      {"c=1e9 k=1", "c=2e9 k=2", "h=1 a=3 c=1 k=3 g=0.5 t=3000", "t=1185508.99", "h=2 t=872347.459"})
     CHECK(!refused_at(within_them));
-  for(const char* const beyond : {"c=1.1e9 k=1", "h=1 t=426", "t=1.5e6"})
+  for(const char* const beyond :
+      {"c=1000000000.0000002 k=1", "c=2000000000.0000005 k=2", "h=1 a=3 c=1 k=3 g=0.5 t=3000.0000000001",
+       "t=1185508.993", "h=2 t=872347.461"})
+    CHECK(refused_at(beyond));
+}
+
+CHECK_THAT("a ζ is refused together with 1 − h, and where its h is less than 1e-100 or more than 1e100")
+{
+  for(const char* const within_them : {"from_top=0.5", "zeta=1.0000000000000001e-50 a=2 c=1 k=1 g=0.25",
+                                       "zeta=1e50 a=2 c=1 k=1 g=0.25 t=0"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"from_top=0.5 zeta=1e-9", "zeta=9.999999999999999e-51 a=2 c=1 k=1 g=0.25",
+                                  "zeta=1.0000000000000002e50 a=2 c=1 k=1 g=0.25 t=0"})
     CHECK(refused_at(beyond));
 }
 

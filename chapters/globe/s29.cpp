@@ -274,6 +274,24 @@ CHECK_THAT("the times told are those of the integral (5), and C and h are those 
   }
 }
 
+CHECK_THAT("a ball with c = a is refused whose k is less than 1e-20 of them, and one with just that is not")
+{
+  for(const char* const within_them : {"c=1 k=1e-20", "a=2 c=2 k=2e-20"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=1 k=9.9999999999999e-21", "a=2 c=2 k=1.9999999999999e-20"})
+    CHECK(refused_at(beyond));
+}
+
+CHECK_THAT("a ζ is refused together with 1 − h, and where its h is less than 1e-100 or more than 1e100")
+{
+  for(const char* const within_them :
+      {"from_top=0.5", "zeta=1.0000000000000001e-50 a=2 c=1 k=1 g=0.25", "zeta=1e50 a=2 c=1 k=1 g=0.25"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"from_top=0.5 zeta=1e-9", "zeta=9.999999999999999e-51 a=2 c=1 k=1 g=0.25",
+                                  "zeta=1.0000000000000002e50 a=2 c=1 k=1 g=0.25"})
+    CHECK(refused_at(beyond));
+}
+
 CHECK_THAT("(B) errs by less than |1 − h| l |1 − h| on either side of the top")
 {
   for(const Ball<Fifty>& ball : {our_ball<Fifty>, cradle<Fifty>})

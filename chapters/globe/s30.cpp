@@ -103,10 +103,11 @@ TELL
   const Ball<double> ball = rounded_ball(a, c, k);
   require_rolling(ball);
   const Energy<double> e = rounded(asked.rolling(a, c, k, g));
-  require(e.from_top > 0, "h", "below 1, where the ball rocks");
+  const char* const given = asked.zeta != 0 ? "zeta" : asked.from_top != 0 ? "from_top" : "h";
+  require(e.from_top > 0, given, "what makes h less than 1: the ball is to rock");
   const double b = std::hypot(ball.gap, k), second = std::sqrt(2 * g) * std::sqrt(c), n = second / b;
   const double zeta = velocity_of_energy<double>(c, bb(ball), g, e), swing = std::numbers::pi / n;
-  require(t <= 1e6 * swing, "t", "a time of fewer than a million swings");
+  require(t <= 1e6 * swing, "t", "a time of at most a million very small swings");
   tell("energy", e.h, "h, the square of the sine of half the amplitude");
   tell("amplitude", 2 * std::atan2(std::sqrt(e.h), std::sqrt(e.from_top)), degrees, "the amplitude");
   tell("b", b, feet, "b");
@@ -283,6 +284,31 @@ CHECK_THAT(
           == within(exact::solve(motion, 0, {0, zeta}, time).y[0], 1e-14 * double(zeta * (time + 1 / n)),
                     "ten ulps of the time"));
   }
+}
+
+CHECK_THAT("a ball that does not rock is refused, one with c = a and k below 1e-20 a, and more than a "
+           "million swings")
+{
+  for(const char* const within_them :
+      {"h=0.9999999999999999", "from_top=1e-300", "zeta=0.9999999999999999 a=2 c=1 k=1 g=0.25",
+       "c=1 k=1e-20 t=0", "a=2 c=2 k=2e-20 t=0", "c=1 k=1 g=0.5 t=3141592.65358979",
+       "c=1 k=2 g=0.5 t=6283185.30717958"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"h=1", "from_top=-1e-300", "zeta=1 a=2 c=1 k=1 g=0.25",
+                                  "c=1 k=9.9999999999999e-21 t=0", "a=2 c=2 k=1.9999999999999e-20 t=0",
+                                  "c=1 k=1 g=0.5 t=3141592.6535898", "c=1 k=2 g=0.5 t=6283185.3071796"})
+    CHECK(refused_at(beyond));
+}
+
+CHECK_THAT("a ζ is refused together with 1 − h, where its h is less than 1e-100, and however far the ball "
+           "turns over")
+{
+  for(const char* const within_them : {"from_top=0.5", "zeta=1.0000000000000001e-50 a=2 c=1 k=1 g=0.25"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"from_top=0.5 zeta=1e-9", "zeta=9.999999999999999e-51 a=2 c=1 k=1 g=0.25",
+       "zeta=1.0000000000000002e50 a=2 c=1 k=1 g=0.25", "zeta=1e50 a=2 c=1 k=1 g=0.25"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("(A) is right to the square: what is left over falls with the cube of h")

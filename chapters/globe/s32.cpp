@@ -166,10 +166,11 @@ TELL
   const Ball<double> ball = body();
   require(c < a, "c", "less than a");
   require(100 * c >= a, "c", "at least a/100");
-  require(10 * k >= a && k <= 10 * a, "k", "from a/10 to 10 a");
+  require(10 * k >= a, "k", "at least a/10");
+  require(k <= 10 * a, "k", "at most 10 a");
   require(mu < rolling::painleve(ball).mu, "mu", "below the limit of §4");
   const double there = threshold();
-  require(there < 3 && std::abs(needed_at_rest(ball, there) - mu) < 1e-9 * mu, "mu",
+  require(std::abs(needed_at_rest(ball, there) - mu) < 1e-9 * mu, "mu",
           "so little that it scrapes first where it turns");
   const double T = std::sqrt(a) / std::sqrt(g);
   const Energy<double> e = energy_of_amplitude<double>(Phi);
@@ -420,6 +421,21 @@ CHECK_THAT(
   CHECK(decay(cradle<Fifty>, least) * least == within_relative(Fifty(9) / 2, 1e-12, "the square of Φ"));
   CHECK(decay(our_ball<Fifty>, least) * least
         == within_relative(Fifty(9) / 2 * Fifty(81) / 36, 1e-12, "the square of Φ"));
+}
+
+CHECK_THAT("a body is refused out of proportion, or with friction beyond §4 or more than it needs at rest")
+{
+  for(const char* const within_them :
+      {"c=0.9999999999999999", "a=2 c=1.9999999999999998", "c=0.01 mu=0.003", "a=2 c=0.02 mu=0.003",
+       "k=0.1 mu=0.01", "a=2 k=0.2 mu=0.01", "k=10 mu=0.003", "a=2 k=20 mu=0.0015", "k=0.1 mu=0.13422",
+       "c=0.9 k=0.1 mu=0.10557", "mu=0.41717", "c=0.2 k=1 mu=0.09999"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"c=1", "a=2 c=2", "c=0.00999999999999999 mu=0.003", "a=2 c=0.01999999999999999 mu=0.003",
+       "k=0.09999999999999999 mu=0.01", "a=2 k=0.1999999999999999 mu=0.01", "k=10.000000000000002 mu=0.003",
+       "a=2 k=20.000000000000004 mu=0.0015", "k=0.1 mu=0.13423", "c=0.9 k=0.1 mu=0.10558", "mu=0.41718",
+       "c=0.2 k=1 mu=0.1"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("the curve is the excesses and the law")

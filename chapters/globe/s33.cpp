@@ -151,10 +151,12 @@ Angle<Real> whole_turn()
 TELL
 {
   const Ball<double> ball = rounded_ball(a, c, k);
-  require_rolling(ball);
   require(c <= 1e9 * k, "c", "at most a thousand million k");
   const Place<double> at = rounded(where.fifty());
-  require(at.s >= 1e-300 && at.c >= 1e-300, "Phi", "between 0 and 180°, 1e-300 from either");
+  const bool by_psi = where.psi != 0;
+  require((by_psi ? at.c : at.s) >= 1e-300, by_psi ? "psi" : "Phi", "at least 2e-300 rad");
+  require((by_psi ? at.s : at.c) >= 1e-33, by_psi ? "psi" : "Phi",
+          "less than 180° by 2e-33 rad or more: nearer by the other of the two angles");
   const Energy<double> e = rounded(energy(Fifty(n.fifty() * n.fifty() / 2)));
   const double b = std::hypot(ball.gap, k), second = std::sqrt(2 * g) * std::sqrt(c);
   const double fast = std::sqrt(2.) * n * second;  // 2n√gc
@@ -347,6 +349,20 @@ CHECK_THAT("the exact times are those of the rolling ball's integral, in fifty d
     CHECK(now.value("turn_smooth", seconds) == within_relative(smooth, 4e-15, "eight ulps and a root"));
     CHECK(e_turn > smooth);
   }
+}
+
+CHECK_THAT("a c of more than a thousand million k is refused, and an angle nearer to 0 or 180° than its "
+           "digits tell")
+{
+  for(const char* const within_them :
+      {"c=1e9 k=1", "c=2e9 k=2", "Phi=2e-300rad", "psi=2e-300rad",
+       "Phi=179.9999999999999999999999999999998854", "psi=179.9999999999999999999999999999998854"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"c=1000000000.0000002 k=1", "c=2000000000.0000005 k=2", "Phi=1.999999999999999e-300rad",
+       "psi=1.999999999999999e-300rad", "Phi=179.9999999999999999999999999999998855",
+       "psi=179.9999999999999999999999999999998855"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("the equations of motion bring the rolling ball round in the time told")

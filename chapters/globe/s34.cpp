@@ -133,11 +133,11 @@ Energy<Fifty> energy_asked()
 TELL
 {
   const Ball<double> body = rounded_ball(a, c, k);
-  require_rolling(body);
-  require(c <= 100 * k && k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
+  require(c <= 100 * k, "c", "at most a hundred times k");
+  require(k <= 1e40 * c, "c", "at least 1e-40 of k");
   const Energy<double> e = rounded(energy_asked());
   require(e.h >= 1e-300, h != 0 ? "h" : "Phi", "at least 1e-300 in sin²½Φ");
-  require(e.from_top >= 1e-200, "psi", "at least 1e-100 rad");
+  require(e.from_top >= 1e-200, "psi", "at least 2e-100 rad");
   const double second = std::sqrt(2 * g) * std::sqrt(c);  // what one second is in τ
   const auto l = lengths(body);
   const auto quarter = quarters(body, e), more = excesses(body, e);
@@ -283,6 +283,19 @@ CHECK_THAT("the lengths and the small swings are those of the theorem, and (D) h
     CHECK(l.rough - l.hung
           == within_relative(body.a * (body.a - 2 * c_) / c_, 1e-35, "fifty digits less ten"));
   }
+}
+
+CHECK_THAT(
+    "a c beyond 1e-40 or a hundred times k is refused, and an amplitude too near to nothing or to the top")
+{
+  for(const char* const within_them :
+      {"c=100 k=1", "c=200 k=2", "c=1 k=1e40", "c=2 k=2e40", "h=1e-300", "Phi=2e-150rad", "psi=2e-100rad"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"c=100.00000000000001 k=1", "c=200.00000000000003 k=2", "c=0.9999999999999999 k=1e40",
+       "c=1.9999999999999998 k=2e40", "h=9.99999999999999e-301", "Phi=1.9999999999999e-150rad",
+       "psi=1.9999999999999e-100rad"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT(

@@ -68,9 +68,9 @@ double from_phi_to_rest(double phi, Amplitude to)  // (A), left side
   return swing::quarter_time(to) - swing::time_from_bottom(phi, to);
 }
 
-double from_rest_to_phi(double phi, Amplitude to)  // (A), right side
+double from_rest_to_phi(double way, Amplitude to)  // (A), right side; way = ζ − Φ
 {
-  return swing::time_from_rest_past(pendulum::way_from_rest(to.zeta - phi, to.eta), to.eta);
+  return swing::time_from_rest_past(pendulum::way_from_rest(way, to.eta), to.eta);
 }
 
 const auto swing_ = amplitude(100_deg, from_below(10_deg, 180_deg));
@@ -83,13 +83,15 @@ TELL
 {
   const Amplitude zeta{swing_.zeta, swing_.eta};
   require(phi.fifty() <= swing_.zeta.fifty(), "phi", "at most zeta");
+  require(phi <= 179.9_deg, "phi", "at most 179.9°, where a double still tells how near the top is");
+  const double way = static_cast<double>(swing_.zeta.fifty() - phi.fifty());
   tell("moment", moment(M, a, phi), Unit{"kg m"}, "moment of gravity at Φ, weight times arm");
   tell("small_swings", by_small_swings(M, a, phi), Unit{"kg m"},
        "what the law of small swings has for it, MaΦ");
   tell("at_rest", moment(M, a, std::min(zeta.zeta, zeta.eta)), Unit{"kg m"},
        "the moment at the turning point");
   tell("up", from_phi_to_rest(phi, zeta), "from Φ up to rest at ζ, in units of √b/√(2g)");
-  tell("down", from_rest_to_phi(phi, zeta), "from there down to Φ");
+  tell("down", from_rest_to_phi(way, zeta), "from there down to Φ");
 }
 
 TELL
@@ -142,7 +144,7 @@ CHECK_THAT("in the one time the pendulum comes down to Φ; thrown back, it is at
     for(const double part : {0.25, 0.6, 0.99})
     {
       const Amplitude to = Amplitude::from_zeta(zeta);
-      const Fifty start(zeta), small("1e-20"), down(from_rest_to_phi(part * zeta, to));
+      const Fifty start(zeta), small("1e-20"), down(from_rest_to_phi(zeta - part * zeta, to));
       const auto there = exact::solve(motion, 0, {start, 0}, down, small).y;
       CHECK(there[0] == within(part * zeta, 1e-15, "a time of at most 4, to an ulp"));
       const Fifty up(from_phi_to_rest(part * zeta, to));
@@ -166,8 +168,8 @@ What is told, at the default, near the top, and for a swing that is hardly one:
 
 CHECK_THAT("the moments told are weight times arm, and the two times told are the exact motion's")
 {
-  for(const Told& now :
-      told_at("", "eta=1e-9 phi=170 M=3 a=0.1", "zeta=10 phi=4", "zeta=150 phi=0 a=1e-50", "zeta=60 phi=0"))
+  for(const Told& now : told_at("", "eta=1e-9 phi=170 M=3 a=0.1", "zeta=10 phi=4", "zeta=150 phi=0 a=1e-50",
+                                "zeta=60 phi=0", "zeta=60 phi=59.9999999999", "eta=1e-20 phi=179.9"))
   {
     const Fifty Ma = M.fifty() * a.fifty(), Phi = phi.fifty(), eta = swing_.eta.fifty(),
                 zeta = swing_.zeta.fifty();
@@ -182,7 +184,8 @@ CHECK_THAT("the moments told are weight times arm, and the two times told are th
     const double rounding =
         static_cast<double>(K) * 1e-15 * (1 + std::sqrt(way_rounds)) + static_cast<double>(up) * way_rounds;
     CHECK(now.value("up") == within(up, 2 * rounding, "a difference of rounded times"));
-    CHECK(now.value("down") == within(up, 2 * rounding, "ζ − Φ of rounded angles"));
+    CHECK(now.value("down")
+          == within_relative(up, 2e-15, "the library's six ulps, and the way's rounding"));
     CHECK(zeta > Phi);
   }
 }
@@ -196,6 +199,17 @@ CHECK_THAT("the figure is a sine and its tangent")
       CHECK(point.value("moment") == within(sin(Phi), 3e-16, "near 180° the double of Φ tells"));
       CHECK(point.value("small") == within(Phi, 5e-16, "degrees to radians"));
     }
+}
+
+CHECK_THAT(
+    "an angle beyond the amplitude or 179.9° is refused, by however little, and these angles are not")
+{
+  for(const char* const within_it : {"zeta=60 phi=60", "zeta=150 phi=150", "eta=1e-20 phi=179.9"})
+    CHECK(!refused_at(within_it));
+  for(const char* const beyond :
+      {"zeta=60 phi=60.0000000000000000000001", "zeta=150 phi=150.0000000000000000000001",
+       "eta=1e-20 phi=179.90000000000006"})
+    CHECK(refused_at(beyond));
 }
 
 /*!

@@ -110,7 +110,7 @@ Fifty tau_as_given()  // t√2g/√b from the numbers as they were written
 
 TELL
 {
-  require(t * per_second() < 1e6, "t", "less than a million times √b/√(2g)");
+  require(t * per_second() < 1e5, "t", "less than a hundred thousand times √b/√(2g)");
   const double phi = Motion({swing_.zeta, swing_.eta}).angle(t * per_second());
   tell("phi", phi, degrees, "where the pendulum is at the time t");
   tell("acceleration", turning(phi), Unit{"rad/s²"}, "its acceleration there");
@@ -367,6 +367,16 @@ CHECK_THAT("the figures are the body's lines and arcs, and four exact motions")
             == within(motion.angle(swings * exact::pi()) * 180 / exact::pi(), 1e-10, "times to 25"));
     }
   }
+}
+
+CHECK_THAT("a time of a hundred thousand units √b/√(2g) is refused for any of their lengths, and one just "
+           "less is not")
+{
+  for(const char* const beyond : {"zeta=1e-9 a=1 k=0 g=5e3 t=1000", "a=2 k=2 g=2e8 t=10"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_it :
+      {"zeta=1e-9 a=1 k=0 g=5e3 t=999.9999999999998", "a=2 k=2 g=2e8 t=9.999999999999998"})
+    CHECK(!refused_at(within_it));
 }
 
 /*!

@@ -278,6 +278,15 @@ CHECK_THAT("the phase curves have the energy of their amplitudes, and the length
   }
 }
 
+CHECK_THAT("an angle beyond the amplitude is refused, by however little, and the amplitude itself is not")
+{
+  for(const char* const within_it : {"zeta=30 phi=30", "zeta=150 phi=150"})
+    CHECK(!refused_at(within_it));
+  for(const char* const beyond :
+      {"zeta=30 phi=30.0000000000000000000001", "zeta=150 phi=150.0000000000000000000001"})
+    CHECK(refused_at(beyond));
+}
+
 /*!
 ## Go on from here
 

@@ -293,6 +293,15 @@ CHECK_THAT("the figures have the losses, and the circle with its lines")
   }
 }
 
+CHECK_THAT("a place nearer to the top than the start is refused, and the start itself is not")
+{
+  for(const char* const from_it : {"eta=60 psi=60", "eta=1e-200rad psi=1e-200rad"})
+    CHECK(!refused_at(from_it));
+  for(const char* const before_it :
+      {"eta=60 psi=59.99999999999997", "eta=1e-200rad psi=9.99999999999999e-201rad"})
+    CHECK(refused_at(before_it));
+}
+
 /*!
 ## Go on from here
 

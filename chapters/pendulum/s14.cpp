@@ -76,7 +76,8 @@ const auto psi = angle("psi", 0.2_deg, above_to(0_deg, 180_deg), "the angle from
 
 TELL
 {
-  require(psi.fifty() > swing_.eta.fifty(), "psi", "greater than eta, where the descent begins");
+  require(psi.fifty() >= swing_.eta.fifty() * (1 + Fifty("1e-30")), "psi",
+          "greater than eta, where the descent begins, by at least 1e-30 of it");
   const double eta = swing_.eta,
                way = pendulum::way_from_rest(static_cast<double>(psi.fifty() - swing_.eta.fifty()), eta),
                tau = swing::time_from_rest_past(way, eta);
@@ -116,8 +117,10 @@ were nothing. On that {{sec pendulum.15}} builds.
 
 TELL
 {
-  const double eta = swing_.eta, way = psi - eta;
-  race("difference", "dt/dψ", element_of_way(psi.fifty() - swing_.eta.fifty(), swing_.eta.fifty()),
+  const double eta = swing_.eta;
+  const Fifty gone = psi.fifty() - swing_.eta.fifty();
+  const double way = static_cast<double>(gone);
+  race("difference", "dt/dψ", element_of_way(gone, swing_.eta.fifty()),
        {{"1/(2√(cc − zz))", [=] { return element_before<double>(psi, eta); }},
         {"the equation (4)", [=] { return element<double>(psi, eta); }},
         {"the product (A)", [=] { return element_of_way(way, eta); }}});
@@ -217,6 +220,14 @@ CHECK_THAT(
     CHECK(now.method("difference", "the equation (4)")
           == within_relative(slowness, kept + 3e-16, "small squares"));
   }
+  for(const Told& now : told_at("eta=60 psi=60.0000000000000000000001"))
+  {
+    const Fifty s = sin(swing_.eta.fifty() / 2), p = sin(psi.fifty() / 2);
+    CHECK(now.method("difference", "the product (A)")
+          == within_ulps(1 / (2 * sqrt(p * p - s * s)), 3, "as above, however short the way"));
+    for(const char* const by_difference : {"1/(2√(cc − zz))", "the equation (4)"})
+      CHECK(now.method("difference", by_difference) == infinite("η and ψ are one double"));
+  }
 }
 
 CHECK_THAT("the curves are the element at three starts, and half over the sine")
@@ -241,6 +252,17 @@ CHECK_THAT("the curves are the element at three starts, and half over the sine")
           point.value("element")
           == within_relative(1 / (2 * sin(Fifty(point.at("psi")) * exact::pi() / 360)), 1e-14, "ψ rounds"));
   }
+}
+
+CHECK_THAT(
+    "a way of less than 10⁻³⁰ of η is refused, since fifty digits of both angles would leave too few of it")
+{
+  for(const char* const too_near : {"eta=60 psi=60.000000000000000000000000000059",
+                                    "eta=1e-200rad psi=1.00000000000000000000000000000099e-200rad"})
+    CHECK(refused_at(too_near));
+  for(const char* const far_enough : {"eta=60 psi=60.000000000000000000000000000061",
+                                      "eta=1e-200rad psi=1.0000000000000000000000000000101e-200rad"})
+    CHECK(!refused_at(far_enough));
 }
 
 /*!

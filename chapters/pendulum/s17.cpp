@@ -79,9 +79,9 @@ template <class Real>
 Real scaled_cube(Real alpha, Real delta)  // sin²α times (4), by (A)
 {
   using std::cos, std::sin;
-  const Real omega = alpha + delta;
-  const Real difference = 2 * sin(alpha + delta / 2) * sin(delta / 2) * (1 + cos(alpha) * cos(omega));
-  return (difference / pow(sin(omega), 2) + pow(sin(alpha), 2) * logarithm(alpha, delta)) / 2;
+  const Real omega = alpha + delta, s = sin(omega);
+  const Real ends = 2 * (sin(alpha + delta / 2) / s) * (sin(delta / 2) / s) * (1 + cos(alpha) * cos(omega));
+  return (ends + pow(sin(alpha), 2) * logarithm(alpha, delta)) / 2;
 }
 
 double two_terms(double alpha, double omega)  // (5), as Euler writes it
@@ -103,7 +103,8 @@ const auto psi = angle("psi", 180_deg, above_to(0_deg, 180_deg), "angle from the
 
 TELL
 {
-  require(psi.fifty() > swing_.eta.fifty(), "psi", "greater than eta, where the descent begins");
+  require(psi.fifty() >= swing_.eta.fifty() * (1 + Fifty("1e-30")), "psi",
+          "greater than eta, where the descent begins, by at least 1e-30 of it");
   const double alpha = swing_.eta / 2, delta = static_cast<double>((psi.fifty() - swing_.eta.fifty()) / 2);
   const double exact = whole_integral(2 * delta, swing_.eta);
   const double first = logarithm(alpha, delta), second = scaled_cube(alpha, delta) / 2;
@@ -260,7 +261,7 @@ What is told, at 5°, near the top, for a small swing, and on the way down:
 
 CHECK_THAT("the terms told are the quadratures of the first two, and the time told is the oracle's")
 {
-  for(const Told& now : told_at("", "eta=1 psi=1.5", "eta=1e-150rad psi=3e-150rad", "zeta=30"))
+  for(const Told& now : told_at("", "eta=1 psi=1.5", "eta=1e-200rad psi=3e-200rad", "zeta=30"))
   {
     const Fifty alpha = swing_.eta.fifty() / 2, delta = psi.fifty() / 2 - alpha;
     const Fifty first = quadrature(alpha, delta, 1, 0), second = quadrature(alpha, delta, 0, 0.5);
@@ -296,6 +297,17 @@ CHECK_THAT("the figure has the element and the sums of its terms, times ω")
         CHECK(point.value("exact")
               == within_relative(omega / s / sqrt(1 - v), near, "ω − α of rounded angles"));
       }
+}
+
+CHECK_THAT(
+    "a way of less than 10⁻³⁰ of η is refused, since fifty digits of both angles would leave too few of it")
+{
+  for(const char* const too_near : {"eta=60 psi=60.000000000000000000000000000059",
+                                    "eta=1e-200rad psi=1.00000000000000000000000000000099e-200rad"})
+    CHECK(refused_at(too_near));
+  for(const char* const far_enough : {"eta=60 psi=60.000000000000000000000000000061",
+                                      "eta=1e-200rad psi=1.0000000000000000000000000000101e-200rad"})
+    CHECK(!refused_at(far_enough));
 }
 
 /*!

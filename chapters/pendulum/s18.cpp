@@ -73,7 +73,8 @@ const auto n = integer("n", 10, 1, 2000, "the lemma's n: the integral of dω/sin
 
 TELL
 {
-  require(psi.fifty() > swing_.eta.fifty(), "psi", "greater than eta, where the descent begins");
+  require(psi.fifty() >= swing_.eta.fifty() * (1 + Fifty("1e-18")), "psi",
+          "greater than eta, where the descent begins, by at least 1e-18 of it");
   const Fifty alpha = swing_.eta.fifty() / 2;
   const Fifty product = scaled(n, alpha, psi.fifty() / 2);
   tell("scaled", product, "sinⁿα times the integral of dω/sinⁿ⁺¹ω");
@@ -236,6 +237,17 @@ CHECK_THAT("the figure's curves are the scaled integrals at 1, 10 and 45 degrees
       CHECK(point.value("J10") == within_relative(scaled(2 * m, 10 * degree, right), 4e-16, "as above"));
       CHECK(point.value("J45") == within_relative(scaled(2 * m, 45 * degree, right), 1e-15, "as above"));
     }
+}
+
+CHECK_THAT("a way of less than 10⁻¹⁸ of η is refused, since its ends cancel, and of fifty digits thirty "
+           "are to be left")
+{
+  for(const char* const too_near :
+      {"eta=60 psi=60.000000000000000059", "eta=1e-200rad psi=1.00000000000000000099e-200rad"})
+    CHECK(refused_at(too_near));
+  for(const char* const far_enough :
+      {"eta=60 psi=60.000000000000000061", "eta=1e-200rad psi=1.0000000000000000101e-200rad"})
+    CHECK(!refused_at(far_enough));
 }
 
 /*!

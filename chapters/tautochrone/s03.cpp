@@ -196,6 +196,14 @@ CHECK_THAT("the table and the figure's curves are the quadrature's; a heavy poin
   }
 }
 
+CHECK_THAT("a body with k beyond 10²⁰ a is refused, and one with just that k is not")
+{
+  for(const char* const within_them : {"k=1e20", "a=2 k=2e20"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=1.0000000000000002e20", "a=2 k=2.0000000000000004e20"})
+    CHECK(refused_at(beyond));
+}
+
 /*!
 ## Go on from here
 

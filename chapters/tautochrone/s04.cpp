@@ -166,8 +166,10 @@ double extended(double ratio, double phi)  // the excess of a ball, R = ratio a
 TELL
 {
   const double b = per_length() * a * std::sin(phi0);
-  require(b <= 1 && b >= 1e-90, "n", "such that βA is from 1e-90 to 1");
-  require(R / a >= 1e-90 && R / a <= 1e9, "R", "from 1e-90 a to 1e9 a");
+  require(b <= 1, "n", "such that βA is from 1e-90 to 1");
+  require(b >= 1e-90, "n", "such that βA is from 1e-90 to 1");
+  require(R / a >= 1e-90, "R", "from 1e-90 a to 1e9 a");
+  require(R / a <= 1e9, "R", "from 1e-90 a to 1e9 a");
   const Swing swing = resisted(b);
   const double body = extended(R / a, phi0);
   tell("b", b, "βA, the measure of the resistance");
@@ -389,6 +391,21 @@ CHECK_THAT("on Euler's curve the whole swing one way takes π/ω, back it does n
   CHECK(there[1] == within(0, 1e-27, "at rest again"));
   const exact::State again = exact::solve(back, 0, there, exact::pi()).y;
   CHECK(abs(again[1]) > Fifty("0.01"));
+}
+
+CHECK_THAT("a resistance with βA beyond 1 or below 10⁻⁹⁰ is refused, and a ball beyond 10⁹ a or below "
+           "10⁻⁹⁰ a; within these limits neither is")
+{
+  for(const char* const within_them :
+      {"a=1 R=1 c=1 phi0=30 n=0.18750000000001", "a=4 R=0.5 c=2 phi0=30 n=3.0000000000001",
+       "a=1 R=1 c=1 phi0=30 n=1.8749999999999e89", "a=1 R=1e-90 n=1e90", "a=2 R=2e-90 n=1e90", "a=1 R=1e9",
+       "a=2 R=2e9"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"a=1 R=1 c=1 phi0=30 n=0.18749999999999", "a=4 R=0.5 c=2 phi0=30 n=2.9999999999999",
+       "a=1 R=1 c=1 phi0=30 n=1.8750000000001e89", "a=1 R=9.999999999999997e-91 n=1e90",
+       "a=2 R=1.9999999999999994e-90 n=1e90", "a=1 R=1000000000.0000002", "a=2 R=2000000000.0000004"})
+    CHECK(refused_at(beyond));
 }
 
 /*!

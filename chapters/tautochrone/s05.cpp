@@ -323,12 +323,17 @@ CHECK_THAT(
   }
 }
 
-CHECK_THAT("a curve on which the pendulum would not rise so far is refused")
+CHECK_THAT("a curve whose radius comes down to a hundredth of a, at the end of the swing or before, is "
+           "refused, and one whose radius stays just above is not")
 {
-  CHECK(refused_at("beta=1 phi0=60"));
-  CHECK(refused_at("beta=5 phi0=30"));
-  CHECK(refused_at("beta=4 gamma=15 phi0=60"));
-  CHECK(!refused_at("beta=4 gamma=17 phi0=60"));
+  for(const char* const within_them :
+      {"beta=1 phi0=59.66864763", "beta=-1 gamma=-8 phi0=59.88942642", "beta=4 gamma=16.161616162 phi0=60"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"beta=1 phi0=59.66864764", "beta=-1 gamma=-8 phi0=59.88942643", "beta=4 gamma=16.161616161 phi0=60"})
+    CHECK(refused_at(beyond));
+  for(const char* const least_outside_the_swing : {"beta=-1 gamma=1", "beta=1 gamma=1"})
+    CHECK(!refused_at(least_outside_the_swing));
 }
 
 /*!

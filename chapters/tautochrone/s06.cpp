@@ -101,8 +101,10 @@ double rod_k()
 
 TELL
 {
-  require(L / d <= 1e100 && L / d >= 1e-100, "L", "from 1e-100 d to 1e100 d");
-  require(R / d <= 1e100 && R / d >= 1e-100, "R", "from 1e-100 d to 1e100 d");
+  require(L / d <= 1e100, "L", "from 1e-100 d to 1e100 d");
+  require(L / d >= 1e-100, "L", "from 1e-100 d to 1e100 d");
+  require(R / d <= 1e100, "R", "from 1e-100 d to 1e100 d");
+  require(R / d >= 1e-100, "R", "from 1e-100 d to 1e100 d");
   const double rod = by_gyration(d, rod_k());
   tell("rod", rod, metres, "AD of the rod, (B)");
   tell("rod_summed", rod_summed(n), metres, "AD of its n particles, (A)");
@@ -312,6 +314,19 @@ CHECK_THAT("four particles that fall about an axis have at any angle the rotatio
         fallen / squares
         == within_relative((cos(now) - cos(high)) / AD, 1e-47, "the height that a point in D has fallen"));
   }
+}
+
+CHECK_THAT(
+    "a rod and a ball are refused that are beyond 10¹⁰⁰ d or below 10⁻¹⁰⁰ d, and at just that they are not")
+{
+  for(const char* const within_them : {"d=0.5 L=5e99", "d=0.25 L=2.5e99", "d=2 L=2e-100", "d=4 L=4e-100",
+                                       "d=0.5 R=5e99", "d=0.25 R=2.5e99", "d=2 R=2e-100", "d=4 R=4e-100"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"d=0.5 L=5.000000000000002e99", "d=0.25 L=2.500000000000001e99", "d=2 L=1.999999999999999e-100",
+       "d=4 L=3.999999999999998e-100", "d=0.5 R=5.000000000000002e99", "d=0.25 R=2.500000000000001e99",
+       "d=2 R=1.999999999999999e-100", "d=4 R=3.999999999999998e-100"})
+    CHECK(refused_at(beyond));
 }
 
 /*!

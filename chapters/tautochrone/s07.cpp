@@ -145,7 +145,8 @@ Real apart(const Point<Real>& one, const Point<Real>& other)
 TELL
 {
   const double ratio = k / a;
-  require(ratio <= 0.3 && (ratio == 0 || ratio >= 1e-10), "k", "0, or from 1e-10 a to 3/10 a");
+  require(ratio <= 0.3, "k", "0, or from 1e-10 a to 3/10 a");
+  require(ratio == 0 || ratio >= 1e-10, "k", "0, or from 1e-10 a to 3/10 a");
   require(phi0 < largest_amplitude(Cheeks::euler_k4, ratio), "phi0", "where the cheek has not yet ended");
   require(phi <= phi0, "phi", "at most phi0");
   const Point<double> M = on_cheek<double>(ratio, phi), G = on_path<double>(ratio, phi);
@@ -403,6 +404,20 @@ CHECK_THAT("the circle's swings last as the series says, those between the cheek
       CHECK(row.value("T")
             == within_relative(1 + circle_excess(row.at("phi0", degrees)), 3e-16, "a rounding"));
   }
+}
+
+CHECK_THAT("a k beyond its limits is refused, and a swing beyond the end of the cheek or an angle beyond "
+           "the swing, and just within they are not")
+{
+  for(const char* const within_them :
+      {"k=0", "k=0.3", "a=2 k=0.6", "k=1e-10", "a=2 k=2e-10", "a=2 k=0.6 phi0=47.8289",
+       "k=0.1 phi0=65.9125", "phi0=60 phi=60", "phi0=40 phi=40"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=0.30000000000000004", "a=2 k=0.6000000000000001", "k=9.999999999999997e-11",
+       "a=2 k=1.9999999999999994e-10", "a=2 k=0.6 phi0=47.8290", "k=0.1 phi0=65.9126",
+       "phi0=60 phi=60.00000000000003", "phi0=40 phi=40.00000000000002"})
+    CHECK(refused_at(beyond));
 }
 
 /*!

@@ -84,7 +84,8 @@ double borne(double ratio, double phi0_, double phi_)  // (B)
 TELL
 {
   const double ratio = k / a;
-  require(ratio >= 1e-80 && ratio <= 1e20, "k", "from 1e-80 a to 1e20 a");
+  require(ratio >= 1e-80, "k", "from 1e-80 a to 1e20 a");
+  require(ratio <= 1e20, "k", "from 1e-80 a to 1e20 a");
   require(phi <= phi0, "phi", "at most phi0");
   tell("s", a * euler_s<double>(1, 0, phi), metres, "AM, the part that lies on the cheek");
   tell("r", a * std::cos(phi), metres, "MG, the free part");
@@ -173,11 +174,15 @@ CHECK_THAT("M, G and the arc told are those of a cycloid and a thread of the len
   }
 }
 
-CHECK_THAT("it refuses an angle beyond the end of the swing, and a k beyond its limits")
+CHECK_THAT("it refuses an angle beyond the end of the swing and a k beyond its limits, by however little, "
+           "and neither at the limit")
 {
-  for(const char* const within_them : {"phi0=30 phi=30", "k=1e-80", "k=1e20"})
+  for(const char* const within_them :
+      {"phi0=30 phi=30", "phi0=60 phi=60", "k=1e-80", "a=2 k=2e-80", "k=1e20", "a=2 k=2e20"})
     CHECK(!refused_at(within_them));
-  for(const char* const beyond : {"phi0=30 phi=30.01", "k=9.9e-81", "k=1.01e20"})
+  for(const char* const beyond :
+      {"phi0=30 phi=30.00000000000002", "phi0=60 phi=60.00000000000003", "k=9.999999999999997e-81",
+       "a=2 k=1.9999999999999994e-80", "k=1.0000000000000002e20", "a=2 k=2.0000000000000004e20"})
     CHECK(refused_at(beyond));
 }
 

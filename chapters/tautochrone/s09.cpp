@@ -92,7 +92,8 @@ double CD()  // (3)
 
 TELL
 {
-  require(R / l <= 1e50 && R / l >= 1e-50, "R", "from 1e-50 l to 1e50 l");
+  require(R / l <= 1e50, "R", "from 1e-50 l to 1e50 l");
+  require(R / l >= 1e-50, "R", "from 1e-50 l to 1e50 l");
   tell("AC", AC(), metres, "from the suspension to the centre of gravity");
   tell("k", k(), metres, "radius of gyration, (2)");
   tell("k_over_AC", k() / AC(), "what makes the pendulum compound");
@@ -265,6 +266,15 @@ const Emendation rectangle{
     [](double reading) {
       return reading == within(CD_of_two(2, 0.3), 1e-15, "two squares and a difference");
     }};
+
+CHECK_THAT("a ball beyond 10⁵⁰ l or below 10⁻⁵⁰ l is refused, and one of just that size is not")
+{
+  for(const char* const within_them : {"R=1e50", "l=2 R=2e50", "R=1e-50", "l=2 R=2e-50"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"R=1.0000000000000004e50", "l=2 R=2.0000000000000008e50",
+                                  "R=9.999999999999997e-51", "l=2 R=1.9999999999999994e-50"})
+    CHECK(refused_at(beyond));
+}
 
 /*!
 ## Go on from here

@@ -65,7 +65,8 @@ double short_of_H(double ratio, const Posture<double>& at)  // 1 − GZ/GH, (B)
 TELL
 {
   const double ratio = k / a;
-  require(ratio >= 1e-80 && ratio <= 1e20, "k", "from 1e-80 a to 1e20 a");
+  require(ratio >= 1e-80, "k", "from 1e-80 a to 1e20 a");
+  require(ratio <= 1e20, "k", "from 1e-80 a to 1e20 a");
   const auto at = posture_as_written(Cheeks::cycloids, ratio, phi0, phi);
   tell("CD", a * (ratio * ratio), metres, "of the centre of oscillation at rest");
   tell("GH", a * GH(at, ratio), metres, "of that for the axis M, (1)");
@@ -209,6 +210,19 @@ CHECK_THAT("the three loci are those of G, Z and H; Z and H meet at the end of t
     CHECK(all.back().value("Z_y")
           == within(all.back().at("H_y"), 2e-15, "one place, reckoned in two ways"));
   }
+}
+
+CHECK_THAT("it refuses an angle beyond the end of the swing and a k beyond its limits, by however little, "
+           "and neither at the limit")
+{
+  for(const char* const within_them :
+      {"phi0=30 phi=30", "phi0=50 phi=50", "k=1e-80", "a=2 k=2e-80", "k=1e20", "a=2 k=2e20"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"phi0=30 phi=30.0000000000000000000001", "phi0=50 phi=50.0000000000000000000001",
+       "k=9.999999999999997e-81", "a=2 k=1.9999999999999994e-80", "k=1.0000000000000002e20",
+       "a=2 k=2.0000000000000004e20"})
+    CHECK(refused_at(beyond));
 }
 
 /*!

@@ -93,7 +93,8 @@ TELL
 {
   require(k / a <= 1e6, "k", "at most 1e6 a");
   const double needed = 2 * std::pow(std::sin(phi0 / 2), 2);
-  require(l / a > needed * (1 + 1e-12), "l", "longer than what is wound on the cheek, a(1 − cos phi0)");
+  require(l / a > needed * (1 + 1e-12), "l",
+          "longer than what is wound on the cheek, a(1 − cos phi0), by more than 1e-12 of it");
   require(l / a <= 10, "l", "at most 10 a");
   const Strip with{k.fifty() / a.fifty(), mu.fifty(), l.fifty() / a.fifty()};
   const Strip without{with.k, 0, 1};
@@ -319,6 +320,18 @@ CHECK_THAT("by (C) three quarters of a are the worst length, and at a there is a
   CHECK(gains(Rational(9, 10)) < Rational(0));
   CHECK(like({0, 1, Fifty("0.75")}) == within_relative(Fifty(27) / 128, 1e-48, "27/128"));
   CHECK(like({0, 1, 1}) == within_relative(Fifty(5) / 24, 1e-48, "5/24, which is less"));
+}
+
+CHECK_THAT("a strip not longer than what is wound is refused, one longer than ten times a, and a k beyond "
+           "10⁶ a; within these limits none is")
+{
+  for(const char* const within_them : {"k=1e6", "a=2 k=2e6", "phi0=60 l=0.50000000000051",
+                                       "phi0=85 a=2 l=1.8256885145069", "l=10", "a=2 l=20"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=1000000.0000000002", "a=2 k=2000000.0000000004", "phi0=60 l=0.50000000000049",
+       "phi0=85 a=2 l=1.8256885145061", "l=10.000000000000002", "a=2 l=20.000000000000004"})
+    CHECK(refused_at(beyond));
 }
 
 /*!

@@ -112,7 +112,8 @@ double gain_found(double eps, double width)  // the δ of a time that is too lon
 
 TELL
 {
-  require(k / a >= 1e-70 && k / a <= 1e70, "k", "from 1e-70 a to 1e70 a");
+  require(k / a >= 1e-70, "k", "from 1e-70 a to 1e70 a");
+  require(k / a <= 1e70, "k", "from 1e-70 a to 1e70 a");
   require(gain_found(error, phi0) > 0, "error",
           "so small that the time is longer than a simple pendulum's");
   tell("CD", CD_for(k), metres, "from the centre of gravity to that of oscillation");
@@ -237,6 +238,20 @@ CHECK_THAT(
       CHECK(point.value("double") == within_relative((1 + kk) / kk * ldexp(Fifty(1), -54), 2e-15, "five"));
     }
   CHECK(Fifty("0.0864") == within(Fifty(1) / 12, 5e-3, "86400 s by a million"));
+}
+
+CHECK_THAT("a k beyond its limits is refused, and an error that makes the time as short as a simple "
+           "pendulum's, and just within they are not")
+{
+  for(const char* const within_them :
+      {"k=1e-70", "a=2 k=2e-70", "k=1e70", "a=2 k=2e70", "k=0.1 phi0=1 error=-0.00498175386",
+       "a=2 k=0.1 phi0=20 error=-0.00884882504"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=9.999999999999997e-71", "a=2 k=1.9999999999999994e-70", "k=1.0000000000000004e70",
+       "a=2 k=2.0000000000000008e70", "k=0.1 phi0=1 error=-0.00498175387",
+       "a=2 k=0.1 phi0=20 error=-0.00884882505"})
+    CHECK(refused_at(beyond));
 }
 
 /*!

@@ -76,7 +76,8 @@ double share(double ratio, double r)  // of the store of motion that is in the r
 
 TELL
 {
-  require(k / a >= 1e-9 && k / a <= 1e9, "k", "from 1e-9 a to 1e9 a");
+  require(k / a >= 1e-9, "k", "from 1e-9 a to 1e9 a");
+  require(k / a <= 1e9, "k", "from 1e-9 a to 1e9 a");
   const double ratio = k / a;
   const auto here = posture_as_written(Cheeks::cycloids, ratio, phi0, phi),
              below = on_cycloids<double>(phi0, 0);
@@ -181,6 +182,19 @@ CHECK_THAT("in the figure the share is kk/(kk+rr), and what is left of it is rr 
         CHECK(point.value(name) == within_relative(1 - cc / (cc + Fifty(kk)), 4e-15, "a cosine's square"));
       CHECK(point.value("axis") == within_relative(Fifty("0.09") / Fifty("1.09"), 1e-15, "a division"));
     }
+}
+
+CHECK_THAT("it refuses an angle beyond the end of the swing and a k beyond its limits, by however little, "
+           "and neither at the limit")
+{
+  for(const char* const within_them :
+      {"phi0=30 phi=30", "phi0=50 phi=50", "k=1e-9", "a=2 k=2e-9", "k=1e9", "a=2 k=2e9"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"phi0=30 phi=30.0000000000000000000001", "phi0=50 phi=50.0000000000000000000001",
+       "k=9.999999999999997e-10", "a=2 k=1.9999999999999994e-9", "k=1000000000.0000002",
+       "a=2 k=2000000000.0000004"})
+    CHECK(refused_at(beyond));
 }
 
 /*!

@@ -71,7 +71,8 @@ double moved(double above, double arm)  // of a place above G, k = 1: its displa
 
 TELL
 {
-  require(b / k >= 1e-20 && b / k <= 1e20, "b", "from 1e-20 k to 1e20 k");
+  require(b / k >= 1e-20, "b", "from 1e-20 k to 1e20 k");
+  require(b / k <= 1e20, "b", "from 1e-20 k to 1e20 k");
   tell("retardation", retardation(P), Unit{"m/s²"}, "of the centre of gravity, (1)");
   tell("turning", turning_retardation(P), Unit{"1/s²"}, "of the rotation, in radians, (2)");
   tell("still", k / b * k, metres, "how far above G a point is that does not move, (A)");
@@ -221,6 +222,15 @@ const Emendation lost_bracket{
       const Fifty w = turning2_by_motion(K, 2 * ten, ten);
       return force_ == within_relative(-accelerations(r, K, w, ten).across, 1e-14, "the library's bound");
     }};
+
+CHECK_THAT("an arm beyond 10²⁰ k or below 10⁻²⁰ k is refused, and one of just that is not")
+{
+  for(const char* const within_them : {"k=1 b=1e-20", "k=2 b=2e-20", "k=1 b=1e20", "k=2 b=2e20"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=1 b=9.999999999999997e-21", "k=2 b=1.9999999999999994e-20",
+                                  "k=1 b=1.0000000000000002e20", "k=2 b=2.0000000000000004e20"})
+    CHECK(refused_at(beyond));
+}
 
 /*!
 ## Go on from here

@@ -160,6 +160,27 @@ CHECK_THAT("the heights told, of the rise and of the speeds, are those of the mo
 }
 
 CHECK_THAT(
+    "it refuses an angle beyond the swing, a swing that winds up the thread to its end, and an extreme k")
+{
+  for(const char* const within_them : {"phi0=60 phi=60", "phi0=30 phi=30"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"phi0=60 phi=60.00000000000000001", "phi0=30 phi=30.00000000000000001"})
+    CHECK(refused_at(beyond));
+  for(const char* const within_them : {"k=1e-9", "k=1e9", "k=2e-9 a=2", "k=2e9 a=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=9.99999999999999e-10", "k=1.00000000000001e9", "k=1.9999e-9 a=2", "k=2.0001e9 a=2"})
+    CHECK(refused_at(beyond));
+  // with one correction r is zero where cos⁴φ = κ : (1 + κ), with both at 60° for 1152κκ + 15κ = 1
+  for(const std::string body : {"cheeks=2 k=0.258198889747161126", "cheeks=2 a=2 k=0.516397779494322251",
+                                "cheeks=3 k=0.153828149399070924", "cheeks=3 a=2 k=0.307656298798141847"})
+  {
+    CHECK(!refused_at(body + " phi=1 phi0=59.9999999999"));
+    CHECK(refused_at(body + " phi=1 phi0=60.0000000001"));
+  }
+}
+
+CHECK_THAT(
     "sin φ is dx : Gg, by the places of G on Huygens's cheeks, and the sum of Gg sin φ is the height")
 {
   const Fifty h("1e-15");

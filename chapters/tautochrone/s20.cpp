@@ -51,9 +51,11 @@ double height(int which, double ratio, double phi)  // c over a
 
 TELL
 {
-  require(k / a >= 1e-9 && k / a <= 1e9, "k", "from 1e-9 a to 1e9 a");
+  require(k / a >= 1e-9, "k", "from 1e-9 a to 1e9 a");
+  require(k / a <= 1e9, "k", "from 1e-9 a to 1e9 a");
   const auto which = static_cast<Cheeks>(int(cheeks));
-  require(phi0 < largest_amplitude(which, k / a), "phi0", "less than where the thread is all wound");
+  require(phi0 < 0.99 * largest_amplitude(which, k / a), "phi0",
+          "less than 99 hundredths of the angle at which the thread is all wound, or the body at the top");
   const double over = excess(which, k / a, phi0), unit = std::sqrt(a) / (2 * std::sqrt(g));
   tell("c", a * height(cheeks, k / a, phi0), metres, "the height of the rise");
   tell("T", swing_time(which, k / a, phi0) * unit, seconds, "one swing");
@@ -152,6 +154,27 @@ CHECK_THAT("the excess is as right for swings of 10⁻⁹ of a radian, by the la
         cheeks == 0 ? pp / 16 : kappa / (1 + kappa) * pow(3 * kappa, int(cheeks) - 1) * pp / 4;
     CHECK(now.value("excess") == within_relative(law, 1e-13, "the library's bound; φ₀φ₀ is nothing here"));
   }
+}
+
+CHECK_THAT(
+    "it refuses a swing that winds up nearly all of the thread, one nearly to the top, and an extreme k")
+{
+  // with one correction r is zero where cos⁴φ = κ : (1 + κ), with both at 60° for 1152κκ + 15κ = 1
+  for(const std::string body : {"cheeks=2 k=0.258198889747161126", "cheeks=2 a=2 k=0.516397779494322251",
+                                "cheeks=3 k=0.153828149399070924", "cheeks=3 a=2 k=0.307656298798141847"})
+  {
+    CHECK(!refused_at(body + " phi0=59.3999999999"));
+    CHECK(refused_at(body + " phi0=59.4000000001"));
+  }
+  CHECK(!refused_at("phi0=89.0999999999999"));
+  CHECK(refused_at("phi0=89.1000000000001"));
+  CHECK(!refused_at("cheeks=0 phi0=178.199999999999"));
+  CHECK(refused_at("cheeks=0 phi0=178.200000000001"));
+  for(const char* const within_them : {"k=1e-9", "k=1e9", "k=2e-9 a=2", "k=2e9 a=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=9.99999999999999e-10", "k=1.00000000000001e9", "k=1.9999e-9 a=2", "k=2.0001e9 a=2"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT(

@@ -63,7 +63,8 @@ double time_of(double power, double B, double height)  // (A) over √a, for hei
 
 TELL
 {
-  require(c / a <= 0.5 && c / a >= 1e-100, "c", "from 1e-100 a to half of a, the height of the cycloid");
+  require(c / a <= 0.5, "c", "from 1e-100 a to half of a, the height of the cycloid");
+  require(c / a >= 1e-100, "c", "from 1e-100 a to half of a, the height of the cycloid");
   tell("f", a / 2, metres, "half of a");
   tell("z", std::sqrt(2 * a) * std::sqrt(c), metres, "the arc, by (2)");
   tell("T", small_swing(0) * (std::sqrt(a) / (2 * std::sqrt(g))), seconds,
@@ -144,6 +145,15 @@ CHECK_THAT("(2) is the cycloid with r = a cos φ: its lowest radius is the subno
     CHECK(z * slope_ == within_relative(1, 1e-30, "z dz/dx is 2f everywhere, here 1"));
     CHECK(1 / slope_ == within_relative(sin(phi), 1e-30, "dx/dz is sin φ, so that r = dz/dφ = cos φ"));
   }
+}
+
+CHECK_THAT("it refuses a height above that of the cycloid, half of a, and one of less than 1e-100 a")
+{
+  for(const char* const within_them : {"c=0.5", "a=2 c=1", "a=2 c=2e-100", "a=8 c=8e-100"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"c=0.5000000000000001", "a=2 c=1.000000000000001",
+                                  "a=2 c=1.99999999999999e-100", "a=8 c=7.9999e-100"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT(

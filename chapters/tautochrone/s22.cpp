@@ -81,7 +81,8 @@ double by_Abel(double ratio, double to)  // (A) on the cycloid, from the times o
 TELL
 {
   const double small = k / a, f = 1 + small * small;
-  require(small >= 1e-9 && small < 1, "k", "at least 1e-9 a and less than a");
+  require(small >= 1e-9, "k", "at least 1e-9 a and less than a");
+  require(small < 1, "k", "at least 1e-9 a and less than a");
   tell("T", small_swing(small) * (std::sqrt(a) / (2 * std::sqrt(g))), seconds,
        "every swing on the tautochrone");
   if(phi <= end(Member::highest, small).phi)
@@ -159,6 +160,15 @@ CHECK_THAT("on the tautochrone the integral of (2), summed along it, is the root
     CHECK(now.value("sigma", metres)
           == within(fine + (fine - coarse) / 3, 1e-6, "the fourth power of a strip"));
   }
+}
+
+CHECK_THAT(
+    "it refuses a body with k = a, for which there is no such curve, and one with k less than 1e-9 a")
+{
+  for(const char* const within_them : {"k=1e-9", "k=0.9999999999999999", "k=2e-9 a=2", "k=1.9999 a=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=9.99999999999999e-10", "k=1", "k=1.9999e-9 a=2", "k=2 a=2"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("on Huygens's cheeks the integral is the one told, and Abel's theorem has it back from the "

@@ -83,11 +83,12 @@ Three radii(double phi_, double h)  // (2), of the cycloid zz = 2x, a = 1
   return {-dz_x * dz_x * dz_x / (dx * ddy), -dy_x * dz_x * dz_x / (dx * ddz), dz * dy_z / ddx};
 }
 
-std::optional<Analytic> at_the_angle(const Fifty& kappa)  // none where r becomes infinite before
+template <class Place>
+std::optional<Analytic> reached(Place place)  // none where r becomes infinite before
 {
   try
   {
-    return analytic_at_angle(kappa, phi.fifty());
+    return place();
   }
   catch(const std::domain_error&)
   {
@@ -101,29 +102,24 @@ TELL
   tell("by_y", r.by_y, "r/a of the cycloid by −dz³/dx ddy");
   tell("by_z", r.by_z, "by −dy dz²/dx ddz");
   tell("by_x", r.by_x, "by dz dy/ddx");
-  const double kappa = k / a * (k / a);
-  require(kappa >= 0.02 && kappa <= 100, "k", "kk/aa from 1/50 to 100, for this series");
+  const Fifty ratio = k.fifty() / a.fifty(), kappa = ratio * ratio;
+  require(kappa * 50 >= 1, "k", "kk/aa from 1/50 to 100, for this series");
+  require(kappa <= 100, "k", "kk/aa from 1/50 to 100, for this series");
   bool resonant = false;
-  for(int m = 1; m <= 30; ++m)
-    resonant = resonant || std::abs(kappa * (2 * m + 1) - 1) < 1e-9;
-  require(!resonant, "k", "not with aa/kk an odd number from three on: there is no such curve");
-  try
+  for(int m = 1; m <= 24; ++m)
+    resonant = resonant || abs(kappa * (2 * m + 1) - 1) < 1e-9;
+  require(!resonant, "k",
+          "not with aa/kk, to nine digits, an odd number from three on: there is no such curve");
+  const auto here = reached([&] { return analytic_at_arc(kappa, S.fifty()); });
+  require(here.has_value(), "S", "as far as the curve goes before r is infinite");
+  tell("phi_S", double(here->phi), degrees, "the angle of the analytic tautochrone at S");
+  tell("r_S", a * double(here->r), metres, "its radius of curvature");
+  tell("x_S", a * double(here->x), metres, "its height");
+  if(const auto there = reached([&] { return analytic_at_angle(kappa, phi.fifty()); }))
   {
-    const Fifty ratio = k.fifty() / a.fifty();
-    const Analytic here = analytic_at_arc(ratio * ratio, S.fifty());
-    tell("phi_S", double(here.phi), degrees, "the angle of the analytic tautochrone at S");
-    tell("r_S", a * double(here.r), metres, "its radius of curvature");
-    tell("x_S", a * double(here.x), metres, "its height");
-    if(const auto there = at_the_angle(ratio * ratio))
-    {
-      tell("S_phi", double(there->S),
-           "S of the analytic tautochrone at the angle φ, where it reaches so far");
-      tell("r_phi", a * double(there->r), metres, "its radius of curvature there");
-    }
-  }
-  catch(const std::domain_error&)
-  {
-    require(false, "S", "as far as the curve goes before r is infinite");
+    tell("S_phi", double(there->S),
+         "S of the analytic tautochrone at the angle φ, where it reaches so far");
+    tell("r_phi", a * double(there->r), metres, "its radius of curvature there");
   }
 }
 
@@ -230,10 +226,45 @@ CHECK_THAT("near the lowest place it is the series of § 25, whose first coeffic
   }
 }
 
-CHECK_THAT("it refuses a resonance and says so, and where no such curve is reached")
+CHECK_THAT(
+    "it refuses a resonance, the first, the last of these bodies, or to a part in 10⁹, but not beside it")
 {
-  CHECK(refused_at("k=0.57735026918962576"));
-  CHECK(refused_at("k=3 S=0.9"));
+  // κ = 1/3 at k = 0.57735026918962576, κ = 1/49 at k = 1/7
+  for(const std::string setting : {"S=1e-6 k=0.5773502690", "S=1e-6 k=0.57735026918962576",
+                                   "S=1e-6 k=0.5773502694", "S=1e-6 a=7 k=1", "S=1e-6 a=2 k=1.1547005388"})
+    CHECK(refused_at(setting));
+  for(const std::string setting :
+      {"S=1e-6 k=0.5773502688", "S=1e-6 k=0.5773502695", "S=1e-6 a=7 k=1.0000001", "S=1e-6 a=7 k=0.9999999",
+       "S=1e-6 a=2 k=1.1547005390"})
+    CHECK(!refused_at(setting));
+}
+
+CHECK_THAT("it refuses an S beyond that where r is infinite and S = sin φ, for great bodies and small")
+{
+  for(const auto& [body, within_it, beyond] : {std::array{"k=10 S=", "0.3017689", "0.3017690"},
+                                               {"a=3 k=3 S=", "0.8151601", "0.8151602"},
+                                               {"k=0.15 S=", "0.8067226", "0.8067227"}})
+  {
+    CHECK(refused_at(std::string(body) + beyond));
+    for(const Told& now : told_at(std::string(body) + within_it))
+    {
+      const Fifty there = asin(S.fifty());
+      CHECK(
+          now.value("phi_S", degrees)
+          == within(k > a ? exact::pi() - there : there, 1e-6, "half of kk : rr, r being thousands of k"));
+      CHECK(now.value("r_S", metres) == between(1000 * k, infinity, "nearly infinite"));
+    }
+  }
+}
+
+CHECK_THAT("it refuses kk less than a fiftieth of aa, and kk greater than a hundred times aa")
+{
+  for(const char* const within_them :
+      {"k=0.141421356237309506", "k=10", "a=2 k=0.282842712474619011", "a=2 k=20"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=0.141421356237309504", "k=10.0000000000000001", "a=2 k=0.282842712474619009", "a=2 k=20.0001"})
+    CHECK(refused_at(beyond));
 }
 
 /*!

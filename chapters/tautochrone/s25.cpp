@@ -68,10 +68,14 @@ which need not be followed from its end:
 
 const auto a = real("a", 1, metres, scale, "AC, from the suspension to the centre of gravity");
 const auto k = real("k", 0.3, metres, scale, "radius of gyration");
-const auto phi = angle("phi",
-                       at_most(40_deg, "where the highest curve ends",
-                               [] { return k < a ? end(Member::highest, k / a).phi : 40_deg; }),
-                       above_to(0_deg, 90_deg), "angle at which the curves are looked at");
+const auto phi =
+    angle("phi",
+          at_most(40_deg, "where the highest curve ends",
+                  [] {  // rounded, at k near a, that may be beyond the widest one's end
+                    return k < a ? std::min(end(Member::highest, k / a).phi, end(Member::widest, k / a).phi)
+                                 : 40_deg;
+                  }),
+          above_to(0_deg, 90_deg), "angle at which the curves are looked at");
 const auto phi1 = angle("phi1", 50_deg, above_to(0_deg, 90_deg), "angle of a place of the reader's");
 const auto r1 = real("r1", 0.4, metres, scale, "radius of curvature at that place");
 
@@ -88,7 +92,8 @@ int digits_of_s(double small)  // as many as are left of 1 − k/a when k/a is r
 TELL
 {
   const double small = k / a;
-  require(small >= 1e-9 && small < 1, "k", "at least 1e-9 a and less than a: else r would grow with φ");
+  require(small >= 1e-9, "k", "at least 1e-9 a and less than a");
+  require(small < 1, "k", "at least 1e-9 a and less than a: else r would grow with φ");
   const Position top = end(Member::highest, small), tip = end(Member::widest, small);
   require(phi <= tip.phi, "phi", "at most 90° − 2 arctan(k/a), where the widest curve ends");
   if(phi <= top.phi)
@@ -416,6 +421,21 @@ CHECK_THAT("the highest curve ends where dr = 0, at (A), and the widest at the t
     CHECK((1 + kk) * pow(top.r * sin(top.phi), 2) / (kk + top.r * top.r)
           == within_relative(pow(1 - s, 2), 1e-45, "2x by (2)"));
     CHECK(pow((1 + kk) * cos(tip.phi) / 2, 2) == within_relative(kk, 1e-45, "the discriminant of dr = 0"));
+  }
+}
+
+CHECK_THAT(
+    "it refuses an angle beyond the widest curve's end, a body with k = a and one with less than 1e-9 a")
+{
+  for(const char* const within_them : {"k=1e-9", "k=0.9999999999999999", "k=2e-9 a=2", "k=1.9999 a=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=9.99999999999999e-10", "k=1", "k=1.9999e-9 a=2", "k=2 a=2"})
+    CHECK(refused_at(beyond));
+  CHECK(!refused_at("k=0.99999999999999"));
+  for(const std::string body : {"k=0.267949192431122706", "a=2 k=0.535898384862245413"})  // a tan 15°
+  {
+    CHECK(!refused_at(body + " phi=59.9999999999"));
+    CHECK(refused_at(body + " phi=60.0000000001"));
   }
 }
 

@@ -69,7 +69,8 @@ Lengths lengths(double a_, double k_, double r, double x, double phi_)  // (1)
 TELL
 {
   const double small = k / a;
-  require(small >= 1e-9 && small < 1, "k", "at least 1e-9 a and less than a");
+  require(small >= 1e-9, "k", "at least 1e-9 a and less than a");
+  require(small < 1, "k", "at least 1e-9 a and less than a");
   require(phi <= end(Member::highest, small).phi, "phi",
           "up to the end of the curve, tan φ = (a − k)/√(ak)");
   const Position here = at(Member::highest, small, phi);
@@ -150,6 +151,20 @@ CHECK_THAT("the lengths told are those of the exact curve, whose height is the i
     const Drawn place_ = drawn(Member::highest, 0.3, {to})[0];
     const Lengths is = lengths(1, 0.3, place_.at.r, place_.by_arc, to);
     CHECK(2 * is.CQ * is.MH == within_relative(is.AD * is.GT, 1e-12, "the height as an integral"));
+  }
+}
+
+CHECK_THAT(
+    "it refuses an angle beyond the end of the curve, a body with k = a and one with less than 1e-9 a")
+{
+  for(const char* const within_them : {"k=1e-9", "k=0.9999999999999999", "k=2e-9 a=2", "k=1.9999 a=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=9.99999999999999e-10", "k=1", "k=1.9999e-9 a=2", "k=2 a=2"})
+    CHECK(refused_at(beyond));
+  for(const std::string body : {"k=0.381966011250105152", "a=2 k=0.763932022500210304"})  // (a − k)² = ak
+  {
+    CHECK(!refused_at(body + " phi=44.9999999999"));
+    CHECK(refused_at(body + " phi=45.0000000001"));
   }
 }
 

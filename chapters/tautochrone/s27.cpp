@@ -65,7 +65,8 @@ double fall(double phi_)  // r₂ over r₁, P and Q of the next sections
 
 TELL
 {
-  require(k / a >= 1e-9 && k / a <= 1, "k", "from 1e-9 a to a");
+  require(k / a >= 1e-9, "k", "from 1e-9 a to a");
+  require(k / a <= 1, "k", "from 1e-9 a to a");
   const std::vector<double> t = terms(k / a, phi, last);
   const double kappa = k / a * (k / a), A = double(falling(phi.fifty()));
   tell("first", -t[1], "how much the first correction takes away, over a");
@@ -139,6 +140,15 @@ CHECK_THAT("the terms told are the series', and the smallest of them is the one 
     CHECK(now.value("best") == int(best));
     CHECK(now.value("smallest") == within_relative(abs(t[best]), 3e-14, "the library's bound"));
   }
+}
+
+CHECK_THAT("it refuses a k less than 1e-9 a, and one greater than a")
+{
+  for(const char* const within_them : {"k=1e-9", "k=1", "k=2e-9 a=2", "k=2 a=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=9.99999999999999e-10", "k=1.0000000000000003", "k=1.9999e-9 a=2", "k=2.0001 a=2"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("A is the integral of cos³φ/sin φ from the angle to 90°, and e to the −Aaa/kk is told of it")

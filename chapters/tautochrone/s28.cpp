@@ -71,7 +71,8 @@ Fifty left_side(int kept, const Fifty& ratio, const Fifty& angle_)  // (1) over 
 
 TELL
 {
-  require(k / a >= 1e-9 && k / a <= 1, "k", "from 1e-9 a to a");
+  require(k / a >= 1e-9, "k", "from 1e-9 a to a");
+  require(k / a <= 1, "k", "from 1e-9 a to a");
   const auto r = corrections<Rational>(n)[static_cast<std::size_t>(int(n))];
   tell("coefficient", double(Fifty(r[r.lowest()])),
        "of the lowest power of cos φ in the last correction, for a = 1", 17);
@@ -175,6 +176,15 @@ CHECK_THAT(
           == within_relative(fractions(n), 1e-14, "differences of 1e-12, squared, and a rounding"));
     CHECK(now.value("cycloid") == within_relative(fractions(0), 1e-14, "the same"));
   }
+}
+
+CHECK_THAT("it refuses a k less than 1e-9 a, and one greater than a")
+{
+  for(const char* const within_them : {"k=1e-9", "k=1", "k=2e-9 a=2", "k=2 a=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=9.99999999999999e-10", "k=1.0000000000000003", "k=1.9999e-9 a=2", "k=2.0001 a=2"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("the lines of the figure have the slopes 2, 4, 6 and 8, and end in the next coefficient")

@@ -153,6 +153,14 @@ CHECK_THAT("what is told of P, its slope and the radius is the series', for any 
   }
 }
 
+CHECK_THAT("it refuses a body with k greater than a, and none with k = a")
+{
+  for(const char* const within_them : {"k=1", "k=2 a=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=1.0000000000000003", "k=2.0001 a=2"})
+    CHECK(refused_at(beyond));
+}
+
 CHECK_THAT("for a small body the exact curve differs from the cycloid by kkP")
 {
   for(const char* small : {"1e-2", "1e-3", "1e-4"})

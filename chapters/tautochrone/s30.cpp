@@ -126,6 +126,16 @@ Fifty ratio()  // k/a
   return k.fifty() / a.fifty();
 }
 
+double rounded_ratio()  // not below 1e-9, where the quotient of doubles may be that of k = 1e-9 a
+{
+  return std::max(k / a, 1e-9);
+}
+
+Fifty place()  // φ, which as a double may be beyond the end of the curve by some of its ulps
+{
+  return std::min(phi.fifty(), highest_end(ratio()).phi);
+}
+
 /*!
 By how much the series errs is not found in doubles, where it may be less than a rounding of $r$. Where the
 terms fall fast it is the sum of those that are left out; elsewhere a difference in fifty digits, of which the
@@ -140,28 +150,30 @@ struct Error
 
 Error error_of(int kept, const Fifty& exact)
 {
-  const std::vector<double> t = terms(k / a, phi, 12);
+  const std::vector<double> t = terms(rounded_ratio(), phi, 12);
   double left_out = 0;
   for(std::size_t n = t.size() - 1; n > std::size_t(kept); --n)
     left_out -= t[n];
   if(std::abs(t.back()) <= 1e-13 * std::abs(left_out))
     return {left_out, 12};
-  const double error = double(truncated(kept, ratio())(cos(phi.fifty())) - exact);
+  const double error = double(truncated(kept, ratio())(cos(place())) - exact);
   const double digits = std::floor(std::log10(std::max(std::abs(error), 1e-30)) + 27);
   return {error, std::clamp(int(digits), 0, 12)};
 }
 
 TELL
 {
-  require(ratio() >= Fifty("1e-9") && k / a >= 1e-9 && ratio() < 1, "k", "at least 1e-9 a and less than a");
-  const Position last = end(Member::highest, k / a);
+  require(ratio() >= Fifty("1e-9"), "k", "at least 1e-9 a and less than a");
+  require(rounded_ratio() < 1, "k", "at least 1e-9 a and less than a");
+  const Position last = end(Member::highest, rounded_ratio());
   require(phi <= last.phi, "phi", "up to the end of the curve, tan φ = (a − k)/√(ak)");
   tell("r", double(euler_r<Fifty>(a.fifty(), k.fifty(), phi.fifty())), metres,
        "the radius of curvature by (5)");
-  tell("series", a * radius_by_series(order, k / a, phi), metres,
+  tell("series", a * radius_by_series(order, rounded_ratio(), phi), metres,
        "the same with the corrections that are kept");
-  tell("exact", a * at(Member::highest, k / a, phi).r, metres, "that of the highest exact tautochrone");
-  const Fifty exact = highest(ratio(), phi.fifty());
+  tell("exact", a * at(Member::highest, rounded_ratio(), phi).r, metres,
+       "that of the highest exact tautochrone");
+  const Fifty exact = highest(ratio(), place());
   const auto error = [&](const char* name, int kept, const char* meaning) {
     const Error of = error_of(kept, exact);
     if(of.digits > 0)
@@ -170,7 +182,7 @@ TELL
   error("error_0", 0, "by how much the cycloid's radius is too large, over a");
   error("error_1", 1, "the same with the first correction");
   error("error_2", 2, "the same by (5)");
-  tell("end", last.phi, degrees, "where the exact curve ends");
+  tell("end", double(highest_end(ratio()).phi), degrees, "where the exact curve ends");
 }
 
 /*!
@@ -181,8 +193,8 @@ takes than a small one on each of the three curves; on an exact tautochrone it t
 TELL
 {
   const auto late = [](const char* name, Cheeks cheeks, const char* meaning) {
-    if(phi0 < largest_amplitude(cheeks, k / a))
-      tell(name, 86400 * excess(cheeks, k / a, phi0), seconds, meaning);
+    if(phi0 < largest_amplitude(cheeks, rounded_ratio()))
+      tell(name, 86400 * excess(cheeks, rounded_ratio(), phi0), seconds, meaning);
   };
   late("lost_0", Cheeks::cycloids, "what such swings lose in a day on Huygens's cheeks");
   late("lost_1", Cheeks::euler_kk, "the same on cheeks with the first correction");
@@ -192,13 +204,13 @@ TELL
 TELL
 {
   curve("radius", {"phi", "exact", "n0", "n1", "n2", "n4", "n8"}, [](Curve& out) {
-    const double last = end(Member::highest, k / a).phi;
+    const double last = end(Member::highest, rounded_ratio()).phi;
     for(int i = 0; i <= 140; ++i)
     {
       const double here = last * i / 140;
-      std::vector<double> row{here / 1_deg, at(Member::highest, k / a, here).r};
+      std::vector<double> row{here / 1_deg, at(Member::highest, rounded_ratio(), here).r};
       for(const int n : {0, 1, 2, 4, 8})
-        row.push_back(radius_by_series(n, k / a, here));
+        row.push_back(radius_by_series(n, rounded_ratio(), here));
       out.put(row);
     }
   });
@@ -241,7 +253,7 @@ constexpr std::pair<double, const char*> steps[]{
 
 TELL
 {
-  const double small = k / a;
+  const double small = rounded_ratio();
   std::vector<Method> ways{{"formula (5)", [=] { return euler_r<double>(1, small, phi); }}};
   for(const auto& [n, last] : kept)
     ways.push_back({std::string("series to ") + last,
@@ -257,7 +269,7 @@ TELL
                       "GSL"});
   }
   ways.push_back({"flow on the sphere", [=] { return at(Member::highest, small, phi).r; }});
-  race("r", "r/a", highest(ratio(), phi.fifty()), ways);
+  race("r", "r/a", highest(ratio(), place()), ways);
 }
 
 /*!
@@ -359,8 +371,37 @@ CHECK_THAT("the radii told are the series' and the exact curve's, at any a, k an
               == within(truncated(n, ratio())(c) - r, 1e-27 + 1e-12 * std::abs(error_of(n, r).over_a),
                         "the exact curve's digits, and the terms'"));
     const Fifty tangent = (1 - ratio()) / sqrt(ratio());
-    CHECK(now.value("end", degrees)
-          == within_relative(atan(tangent), 1e-15 / (1 - k / a), "k/a rounds, and 1 − k/a"));
+    CHECK(now.value("end", degrees) == within_ulps(atan(tangent), 1, "a rounding"));
+  }
+}
+
+CHECK_THAT(
+    "told where the curve ends, as by default if k is great, the exact radius is √(k(aa − ak + kk) : a)")
+{
+  for(const Told& now :
+      told_at("k=0.571", "k=0.984", "a=2 k=1.38", "k=0.9999999999", "k=0.9999999999999999"))
+  {
+    const Fifty q = ratio(), r = sqrt(q * (1 - q + q * q)), end_ = atan((1 - q) / sqrt(q));
+    CHECK(now.value("exact", metres) == within_relative(a.fifty() * r, 2e-14, "the library's bound"));
+    CHECK(now.exact("r") == within_relative(r, 1e-14, "the default is rounded, and may be before the end"));
+    CHECK(now.value("error_0") == within(cos(end_) - r, 1e-14, "the same"));
+    CHECK(now.value("end", degrees) == within_ulps(end_, 1, "a rounding"));
+  }
+}
+
+CHECK_THAT(
+    "it refuses an angle beyond the end of the curve, a body with k = a and one with less than 1e-9 a")
+{
+  for(const char* const within_them :
+      {"k=1e-9", "k=0.9999999999999999", "k=9e-9 a=9", "k=2e-9 a=2", "k=1.9999 a=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=9.99999999999999999e-10", "k=1", "k=0.99999999999999999", "k=1.9999e-9 a=2", "k=2 a=2"})
+    CHECK(refused_at(beyond));
+  for(const std::string body : {"k=0.381966011250105152", "a=2 k=0.763932022500210304"})  // (a − k)² = ak
+  {
+    CHECK(!refused_at(body + " phi=44.9999999999"));
+    CHECK(refused_at(body + " phi=45.0000000001"));
   }
 }
 

@@ -471,9 +471,19 @@ CHECK_THAT("near the lowest place z − y is a φ³/6 for small bodies and for l
   }
 }
 
-CHECK_THAT("what lies beyond the end of the curve is refused; (2) would give a negative arc there")
+CHECK_THAT("what lies beyond the end of the curve is refused, and a k greater than a; (2) would give a "
+           "negative arc there")
 {
   CHECK(refused_at("k=1 phi=30"));
-  CHECK(!refused_at("k=1 phi=17.4"));
+  // r is zero at 60° for 1152κκ + 15κ = 1
+  for(const std::string body : {"k=0.153828149399070924", "a=2 k=0.307656298798141847"})
+  {
+    CHECK(!refused_at(body + " phi=59.9999999999"));
+    CHECK(refused_at(body + " phi=60.0000000001"));
+  }
+  for(const char* const within_them : {"k=1", "a=2 k=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=1.0000000000000003", "a=2 k=2.0001"})
+    CHECK(refused_at(beyond));
   CHECK(euler_z<double>(1, 1, 30_deg) == within(-0.115, 5e-4, "three digits"));
 }

@@ -514,7 +514,19 @@ CHECK_THAT(
     CHECK(double(k) == within_relative(std::sqrt(kappa), 1e-6, "six digits of k and more"));
     CHECK(now.value("end", degrees) == within_relative(60_deg, 1e-6, "as many of the end"));
   }
-  CHECK(refused_at("k=1 phi=17.5"));
-  CHECK(!refused_at("k=1 phi=17.4"));
-  CHECK(refused_at("k=0.15382815 phi=60.001"));
+  for(const char* const within_them : {"k=1 phi=17.49", "k=0.153828149399070924 phi=59.9999999999",
+                                       "a=2 k=0.307656298798141847 phi=59.9999999999"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=1 phi=17.5", "k=0.153828149399070924 phi=60.0000000001",
+                                  "a=2 k=0.307656298798141847 phi=60.0000000001"})
+    CHECK(refused_at(beyond));
+}
+
+CHECK_THAT("a k less than 1e-10 a is refused, and one greater than a")
+{
+  for(const char* const within_them : {"k=1e-10", "k=1", "a=2 k=2e-10", "a=2 k=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond :
+      {"k=9.99999999999999e-11", "k=1.0000000000000003", "a=2 k=1.9999e-10", "a=2 k=2.0001"})
+    CHECK(refused_at(beyond));
 }

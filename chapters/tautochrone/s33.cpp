@@ -180,7 +180,8 @@ Body cheek(const std::vector<Hung>& frames,
 
 TELL
 {
-  require(phi0 < first_end(K), "phi0", "less than where the first of the cheeks ends");
+  require(phi0 < 0.99 * first_end(K), "phi0",
+          "less than 99 hundredths of the angle at which the first of the cheeks ends");
   tell("wound_huygens", euler_s<double>(1, 0, phi0), "AM : a on Huygens's cheek, where they are let go");
   tell("wound_euler", euler_s<double>(1, K, phi0), "the same on Euler's");
   tell("wound_exact", at(Member::highest, K, phi0).s, "the same on the exact one");
@@ -366,6 +367,26 @@ CHECK_THAT("the third body is on the exact curve where the cosine of the time ha
       CHECK(frame.value("exact_M_y") == within(right.x - 1 + right.r * cos(right.phi), 1e-12, why));
     }
   }
+}
+
+CHECK_THAT(
+    "it refuses a place beyond the end of Euler's curve, a k greater than a, and bodies let go where, but "
+    "for a hundredth, one of the cheeks has ended: Euler's for small K, the exact one for great K")
+{
+  // Euler's r is zero at 60° for 1152κκ + 15κ = 1; the exact cheek ends at 30° for 3(1 − K)² = K
+  for(const std::string body : {"k=0.153828149399070924", "a=2 k=0.307656298798141847"})
+  {
+    CHECK(!refused_at(body + " phi=59.9999999999"));
+    CHECK(refused_at(body + " phi=60.0000000001"));
+  }
+  CHECK(!refused_at("K=0.153828149399070924 phi0=59.3999999999"));
+  CHECK(refused_at("K=0.153828149399070924 phi0=59.4000000001"));
+  CHECK(!refused_at("K=0.565741454089335118 phi0=29.6999999999"));
+  CHECK(refused_at("K=0.565741454089335118 phi0=29.7000000001"));
+  for(const char* const within_them : {"k=1", "a=2 k=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=1.0000000000000003", "a=2 k=2.0001"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT(

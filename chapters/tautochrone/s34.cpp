@@ -217,8 +217,10 @@ Hung hung(int which, double at)  // 0 Huygens's, 1 Euler's, 2 exact
 
 TELL
 {
-  require(wide < 0.95 * largest_amplitude(Cheeks::euler_k4, body) && wide < end(Member::highest, body).phi,
-          "wide", "less than the ends of the exact curve and, by a twentieth, of Euler's");
+  require(wide < 0.95 * largest_amplitude(Cheeks::euler_k4, body), "wide",
+          "less than 95 hundredths of the angle at which Euler's curve ends");
+  require(wide < end(Member::highest, body).phi, "wide",
+          "less than the angle at which the exact curve ends");
   const double time = swings * small_swing(body);
   auto& rows = table("bobs", "The three bobs after so many swings of the exact one, in parts of a",
                      {{"bob", "between the cheeks of"},
@@ -467,6 +469,25 @@ CHECK_THAT("the three bobs are where the motion of two weights, and the cosine o
       CHECK(rows[i].value("q") == within(side * (y * size / 192 - r * sin(size)), 1e-6, "the same"));
     }
   }
+}
+
+CHECK_THAT("it refuses a place beyond the end of Euler's curve, a k greater than a, and bobs let go beyond "
+           "the exact curve's end or, but for a twentieth, that of Euler's")
+{
+  // Euler's r is zero at 60° for 1152κκ + 15κ = 1; the exact curve ends at 30° for 3(1 − k)² = k
+  for(const std::string cheek : {"k=0.153828149399070924", "a=2 k=0.307656298798141847"})
+  {
+    CHECK(!refused_at(cheek + " phi=59.9999999999"));
+    CHECK(refused_at(cheek + " phi=60.0000000001"));
+  }
+  CHECK(!refused_at("body=0.153828149399070924 wide=56.9999999999"));
+  CHECK(refused_at("body=0.153828149399070924 wide=57.0000000001"));
+  CHECK(!refused_at("body=0.565741454089335118 wide=29.9999999999"));
+  CHECK(refused_at("body=0.565741454089335118 wide=30.0000000001"));
+  for(const char* const within_them : {"k=1", "a=2 k=2"})
+    CHECK(!refused_at(within_them));
+  for(const char* const beyond : {"k=1.0000000000000003", "a=2 k=2.0001"})
+    CHECK(refused_at(beyond));
 }
 
 CHECK_THAT("Euler's bob is late by an eighth of a swing after 78, Huygens's by almost half of one")

@@ -193,7 +193,7 @@ std::string json_report(const Section& s, const Outcome& o)
   j["limits"] = ordered_json::array();
   for(const auto& [place, limit] : ledger().limits)
     if(place.first == "chapters/" + s.file())
-      j["limits"].push_back(place.second);
+      j["limits"].push_back({{"line", place.second}});
   j["uncovered"] = o.uncovered;
   j["apparatus"] = ordered_json::array();
   for(const EntryTried& t : o.tried)
