@@ -249,7 +249,30 @@ const Told& Settings::tell_at(std::size_t i)
   return *told_;
 }
 
-bool refused_at(const std::string& setting)
+Refusal Refusal::operator!() const
+{
+  Refusal other = *this;
+  other.claimed_ = !claimed_;
+  return other;
+}
+
+Refusal::operator bool() const
+{
+  remember({words(), claimed_ ? "refused" : "told", "exactly", "", -1});
+  return refused_ == claimed_;
+}
+
+std::string Refusal::words() const
+{
+  return setting_ + (refused_ ? ": refused" : ": told");
+}
+
+doctest::String toString(const Refusal& refusal)
+{
+  return refusal.words().c_str();
+}
+
+Refusal refused_at(const std::string& setting)
 {
   try
   {
@@ -258,9 +281,9 @@ bool refused_at(const std::string& setting)
   }
   catch(const BadInput&)
   {
-    return true;
+    return {setting, true};
   }
-  return false;
+  return {setting, false};
 }
 
 Ledger& ledger()

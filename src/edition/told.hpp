@@ -171,7 +171,28 @@ Settings told_at(const Text&... settings)
   return Settings(each);
 }
 
-/// True when the section refuses this setting, as the command line would.
-[[nodiscard]] bool refused_at(const std::string& setting);
+/// A claim that the section refuses a setting, or, after !, that it tells something there; true if it does.
+class Refusal
+{
+public:
+  /// Of what came of a setting; made by refused_at().
+  Refusal(std::string setting, bool refused) : setting_(std::move(setting)), refused_(refused) {}
+  /// The claim that it is not refused.
+  Refusal operator!() const;
+  /// Whether it is so; the comparison is remembered.
+  explicit operator bool() const;
+  /// What came of the setting.
+  std::string words() const;
+
+private:
+  std::string setting_;
+  bool refused_;
+  bool claimed_ = true;
+};
+/// For doctest's messages.
+doctest::String toString(const Refusal& refusal);
+
+/// The claim that the section refuses this setting, as the command line would.
+[[nodiscard]] Refusal refused_at(const std::string& setting);
 
 }  // namespace edition
