@@ -422,6 +422,12 @@ TEST_CASE("a fraction becomes the nearest double and the nearest fifty digits")
     const auto d = static_cast<long long>(random() >> 12) + 1;
     CHECK(static_cast<double>(Rational(n, d)) == static_cast<double>(n) / static_cast<double>(d));
   }
+  for(int n = 0; n < 300; ++n)  // with fewer, as many and more digits than are had
+  {
+    CAPTURE(n);
+    CHECK(static_cast<double>(pow(Rational(2), n) * Rational(3, 7)) == std::ldexp(3.0 / 7.0, n));
+    CHECK(static_cast<Fifty>(pow(Rational(2), n) * Rational(3, 7)) == ldexp(Fifty(3) / 7, n));
+  }
 }
 
 TEST_CASE("exact numbers agree with published ones")

@@ -89,6 +89,19 @@ TEST_CASE("an integral that does not settle is refused")
   CHECK_THROWS_AS(integrate([](const Fifty& x) { return exp(-x); }, 0, infinite), std::domain_error);
 }
 
+TEST_CASE("the mesh is halved nine times before an integral is refused")
+{
+  const auto peak = [](const char* width) {
+    const Fifty w(width);
+    return integrate([w](const Fifty& x) { return w / (x * x + w * w); }, -1, 1);
+  };
+  CHECK(peak("0.3").evaluations < 3000);  // eight times are enough
+  const auto last = peak("0.1");
+  CHECK(last.evaluations > 3000);
+  CHECK(last.value == within_relative(2 * atan(Fifty(10)), 1e-48, "a few hundred roundings"));
+  CHECK_THROWS_AS(peak("0.05"), std::runtime_error);
+}
+
 TEST_CASE("the reported error of an integral is larger than the true one")
 {
   for(const char* tolerance : {"1e-5", "1e-12", "1e-25"})
@@ -137,6 +150,9 @@ TEST_CASE("time runs backwards and in legs")
   const auto back = solve(pendulum, 2, there[1].y, 0);
   CHECK(back.y[0] == within(Fifty(1), 1e-30, "two integrations to 1e-32"));
   CHECK(solve(pendulum, 0, {1, 0}, 0).y[0] == 1);
+  const auto earlier = solve(pendulum, Fifty(-0.5), {1, 0}, Fifty(1.5));
+  CHECK(earlier.y[0] == within(direct.y[0], 1e-48, "the same steps, their ends rounded at other times"));
+  CHECK(earlier.evaluations == direct.evaluations);
 }
 
 TEST_CASE("a motion into a singularity or with bad input is refused")

@@ -278,6 +278,26 @@ TEST_CASE("the judge finds the changes by itself, however short the time between
   }
 }
 
+TEST_CASE("the judge finds where the ball leaves the plane")
+{
+  const oracle::Judge judge(cradle<Fifty>, cradle_g<Fifty>, Fifty(1) / 3);
+  const State<Fifty> start{0, 0, 0, 2 * sqrt(Fifty(3))};
+  const std::vector<oracle::Stretch> all = judge.stretches(start, 9);
+  REQUIRE(all.size() == jumping.size() + 1);
+  for(std::size_t i = 0; i < jumping.size(); ++i)
+  {
+    const oracle::Stretch& now = all[i + 1];
+    CHECK(now.from
+          == within(Fifty(jumping[i].t), 1e-17, "steps of 1e-20, and what the motion makes of it"));
+    CHECK(now.start.Phi == within(Fifty(jumping[i].Phi), 1e-17, "the same"));
+    CHECK(now.start.w == within(Fifty(jumping[i].w), 1e-17, "the same"));
+  }
+  CHECK(all[1].mode == Mode::scraping_backwards);
+  CHECK(all[2].mode == Mode::off);
+  CHECK(judge.margins(all[2].start, Mode::scraping_backwards)[2]
+        == within(Fifty(0), 1e-17, "nothing holds it down"));
+}
+
 TEST_CASE("what makes no sense is refused")
 {
   const Ball<double> ball = our_ball<double>;

@@ -1,7 +1,8 @@
 // Changes one token of a file at a time and looks whether anything turns red: a section's checks or a room's tests, or else
 // the record of what is told (tests/told.mjs): node tests/mutate.mjs BUILD FILE [COUNT [PROGRAM ...]].
 // FILE is chapters/CHAPTER/sNN.cpp, looked at by its own program, or one of src/, looked at by the PROGRAMs that are named,
-// tests (test-...) and sections, in that order. The places are of all classes in turn.
+// tests (test-...) and sections, in that order. The places are of all classes in turn. A program that does not end is stopped,
+// and is red, after the seconds of the processor that MUTATE_SECONDS says.
 // BUILD is a configured build folder of a copy of the repository that nobody else uses: FILE is changed in place and put back.
 // Not part of the tests' every run; its last table stands in tests/mutations.md.
 import { execFileSync, spawnSync } from 'node:child_process';
@@ -84,8 +85,9 @@ function chosen() {
   return all.slice(0, Number(count));
 }
 
+const seconds = Number(process.env.MUTATE_SECONDS ?? 120);
 const run = (program, ...words) =>
-  spawnSync('sh', ['-c', 'ulimit -t 120; exec "$0" "$@"', path.join(build, 'bin', program), ...words], { encoding: 'utf8' });
+  spawnSync('sh', ['-c', `ulimit -t ${seconds}; exec "$0" "$@"`, path.join(build, 'bin', program), ...words], { encoding: 'utf8' });
 
 /** Whether a section tells what stands in the record. */
 function asRecorded(program) {
@@ -102,8 +104,10 @@ function asRecorded(program) {
 function seen() {
   if (spawnSync('cmake', ['--build', build, '--target', ...programs]).status !== 0) return 'not compiled';
   const sections = programs.filter((program) => !program.startsWith('test-'));
-  const red = programs.find((program) => run(program, ...(sections.includes(program) ? ['--check'] : [])).status !== 0);
-  if (red) return `red in ${red}`;
+  for (const program of programs) {
+    const { status, signal } = run(program, ...(sections.includes(program) ? ['--check'] : []));
+    if (status !== 0) return `red in ${program}${signal ? ` by ${signal}` : ''}`;
+  }
   return sections.every(asRecorded) ? 'GREEN' : 'red in the record';
 }
 
