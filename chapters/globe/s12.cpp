@@ -87,9 +87,8 @@ TELL
   const Energy<Fifty> e = asked.fifty(c_, k_ * k_, g_);
   const Place<Fifty> there = where.fifty();
   require(gets_to(e, there), where.psi == 0 ? "Phi" : "psi", "an angle that the ball gets to");
-  const char* const by = asked.zeta != 0 ? "zeta" : asked.from_top != 0 ? "from_top" : "h";
-  require(e.h * c_ <= 1e100, by, "an energy h of at most 1e100 over c");
-  require(e.h * g_ <= 1e100, by, "an energy h of at most 1e100 over g");
+  require(e.h * c_ <= 1e100, asked.given(), "an energy h of at most 1e100 over c");
+  require(e.h * g_ <= 1e100, asked.given(), "an energy h of at most 1e100 over g");
   const Parts now = parts(c_, k_, g_, e, there);
   const Fifty forwards = f.fifty() * f.fifty();
   tell("turning", double(now.turning), squares, "of the turning, kk(dΦ/dt)², (1)");

@@ -85,8 +85,7 @@ TELL
   require(c <= 1e3 * k, "c", "between 1e-40 and a thousand times k");
   require(k <= 1e40 * c, "c", "between 1e-40 and a thousand times k");
   const Energy<Fifty> e0 = asked.fifty(c.fifty(), k.fifty() * k.fifty(), g.fifty());
-  const char* const by = asked.zeta != 0 ? "zeta" : asked.from_top != 0 ? "from_top" : "h";
-  require(e0.from_top > 0, by, "an energy h below 1: the ball is to rock");
+  require(e0.from_top > 0, asked.given(), "an energy h below 1: the ball is to rock");
   const auto e = rounded(e0);
   const double n = std::sqrt(2 * g) * std::sqrt(c) / k, A = 2 * std::sqrt(e.h);
   require(t * n <= 1e3, "t", "at most a thousand over n");

@@ -86,8 +86,7 @@ Energy<double> energy_asked()
   require(c <= 100 * k, "c", "between 1e-40 and a hundred times k");
   require(k <= 1e40 * c, "c", "between 1e-40 and a hundred times k");
   const Energy<Fifty> e = asked.fifty(c.fifty(), k.fifty() * k.fifty(), g.fifty());
-  const char* const by = asked.zeta != 0 ? "zeta" : asked.from_top != 0 ? "from_top" : "h";
-  require(e.from_top > 0, by, "an energy h below 1: the ball is to rock");
+  require(e.from_top > 0, asked.given(), "an energy h below 1: the ball is to rock");
   return rounded(e);
 }
 

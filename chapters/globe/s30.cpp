@@ -103,8 +103,7 @@ TELL
   const Ball<double> ball = rounded_ball(a, c, k);
   require_rolling(ball);
   const Energy<double> e = rounded(asked.rolling(a, c, k, g));
-  const char* const given = asked.zeta != 0 ? "zeta" : asked.from_top != 0 ? "from_top" : "h";
-  require(e.from_top > 0, given, "what makes h less than 1: the ball is to rock");
+  require(e.from_top > 0, asked.given(), "what makes h less than 1: the ball is to rock");
   const double b = std::hypot(ball.gap, k), second = std::sqrt(2 * g) * std::sqrt(c), n = second / b;
   const double zeta = velocity_of_energy<double>(c, bb(ball), g, e), swing = std::numbers::pi / n;
   require(t <= 1e6 * swing, "t", "a time of at most a million very small swings");

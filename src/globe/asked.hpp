@@ -41,8 +41,8 @@ struct Asked_energy
     if(zeta == 0)
       return energy_given(h.fifty(), from_top.fifty());
     Energy<exact::Fifty> e = energy_of_velocity(c, kk, g, zeta.fifty());
-    edition::require(e.h >= 1e-100, "zeta", "an h between 1e-100 and 1e100");
-    edition::require(e.h <= 1e100, "zeta", "an h between 1e-100 and 1e100");
+    edition::require(e.h >= exact::Fifty("1e-100"), "zeta", "an h between 1e-100 and 1e100");
+    edition::require(e.h <= exact::Fifty("1e100"), "zeta", "an h between 1e-100 and 1e100");
     return e;
   }
   /// The same of a ball on a smooth plane, where kk is k k.
@@ -51,6 +51,8 @@ struct Asked_energy
   {
     return fifty(c.fifty(), k.fifty() * k.fifty(), g.fifty());
   }
+  /// The option that counts, by its name.
+  const char* given() const { return zeta != 0 ? "zeta" : from_top != 0 ? "from_top" : "h"; }
   /// And of one that rolls, where it is bb.
   Energy<exact::Fifty> rolling(const edition::Parameter<double>& a, const edition::Parameter<double>& c,
                                const edition::Parameter<double>& k,
@@ -76,12 +78,14 @@ struct Asked_place
   edition::Parameter<double> Phi;  ///< The angle from the lowest place.
   edition::Parameter<double> psi;  ///< What it lacks of the top, or 0.
 
-  /// What was asked for: the place. 180°, to 45 digits, is the top.
+  /// What was asked for: the place. 180°, to 33 digits, is the other end: nearer to it fifty digits would leave
+  /// too few of what an angle lacks of it, and the other option tells that.
   Place<exact::Fifty> fifty() const
   {
+    const auto all = [](const exact::Fifty& x) { return exact::pi() - x < 1e-33; };
     if(psi != 0)
-      return place_from_top(psi.fifty());
-    return exact::pi() - Phi.fifty() < 1e-45 ? place_from_top(exact::Fifty(0)) : place(Phi.fifty());
+      return all(psi.fifty()) ? place(exact::Fifty(0)) : place_from_top(psi.fifty());
+    return all(Phi.fifty()) ? place_from_top(exact::Fifty(0)) : place(Phi.fifty());
   }
   /// And the angle.
   exact::Fifty angle() const { return psi == 0 ? Phi.fifty() : exact::Fifty(exact::pi() - psi.fifty()); }

@@ -18,7 +18,7 @@ namespace globe::rolling
 template <class Real>
 void require(const Ball<Real>& ball)
 {
-  const Real limit = 1e40 * bb(ball);
+  const Real limit = 1e40 * (1 + 1e-12) * bb(ball);  // whoever rounds before he compares finds 10²⁰ b kept
   if(!(ball.a > 0 && ball.c > 0 && ball.k > 0 && ball.a * ball.a <= limit && ball.c * ball.c <= limit
        && limit < 1e300))
     throw std::domain_error("the rolling ball needs a, c, k > 0 and a, c ≤ 10²⁰ b");
