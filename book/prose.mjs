@@ -185,7 +185,7 @@ rules.told = guarded((token, page, tokens, i) => {
   return page.refer(token.content.replaceAll('\\|', '|').trim(), token.meta) + (ends ? '</span>' : '');
 });
 /** A unit behind a told number stays on its line. */
-const unitBehind = (tokens, i, content) => tokens[i - 1]?.type === 'told' && /^ ?(?:s|ft|1\/s)(?!\p{L})/u.test(content ?? '');
+const unitBehind = (tokens, i, content) => tokens[i - 1]?.type === 'told' && /^ ?(?:[mn]?s|ft|1\/s)(?!\p{L})/u.test(content ?? '');
 /** So does a sign of the apparatus behind its word. */
 const signBehind = (tokens, i) => isSign(tokens[i + 1]);
 /** And so do the number of a section and its sign, and both sides of a ratio of numbers. */

@@ -95,7 +95,7 @@ TELL
   require(mu >= lambda, "mu", "at least lambda, for Euler's pans swing faster than his beam");
   require(i <= lambda, "i", "at most lambda, for the arm would be more than twice the string");
   auto& rows =
-      table("rows", "Every half second, that is, every 30° of λt: by (1), and by the full equations",
+      table("rows", "Every 30° of λt, to him half a second: by (1), and by the full equations",
             {{"t", "t"},
              {"omega", "ω by (1)"},
              {"eta", "η"},
