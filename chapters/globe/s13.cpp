@@ -320,7 +320,7 @@ CHECK_THAT("it refuses a c, an energy and a time just beyond its limits, and non
 
 CHECK_THAT("where the time is not infinite it may be that of 500 swings or turns, and not of more")
 {
-  for(const char* const motion : {"", "c=0.5 k=0.5 h=3 g=2 ", "from_top=1e-9 "})
+  for(const char* const motion : {"", "c=0.5 k=0.5 h=3 g=2 ", "from_top=1e-9 ", "h=1e-40 "})
   {
     Fifty most;
     for(const Told& now : told_at(motion))

@@ -185,11 +185,11 @@ CHECK_THAT("it refuses a c and a Φ just beyond its limits, at the top and at th
            "them")
 {
   for(const char* const within_them :
-      {"c=50 k=0.5", "c=100 k=1", "Phi=1e-20rad", "Phi=0", "Phi=179.99999999999999999999999999999999"})
+      {"c=50 k=0.5", "c=100 k=1", "Phi=1e-20rad", "Phi=0", "Phi=179.9999999999999999999999999999999988"})
     CHECK(!refused_at(within_them));
   for(const char* const beyond :
       {"c=50.00000000000001 k=0.5", "c=100.00000000000002 k=1", "Phi=9.99999999999999e-21rad",
-       "Phi=1e-300rad", "Phi=179.999999999999999999999999999999999", "Phi=180"})
+       "Phi=1e-300rad", "Phi=179.9999999999999999999999999999999989", "Phi=180"})
     CHECK(refused_at(beyond));
 }
 

@@ -346,12 +346,14 @@ CHECK_THAT("the figure has the element of time in both variables")
 CHECK_THAT("an angle beyond the amplitude is refused, also where both are too near to the top for a double "
            "to tell")
 {
-  for(const char* const within_it : {"zeta=20 phi=20", "zeta=150 phi=150", "eta=1e-9 phi=179.999999999",
-                                     "eta=1e-18 phi=179.999999999999999999"})
+  for(const char* const within_it :
+      {"zeta=20 phi=20", "zeta=150 phi=150", "eta=1e-9 phi=179.999999999",
+       "eta=1e-18 phi=179.999999999999999999", "eta=1e-18 phi=179.9999999999999999990000000000000009"})
     CHECK(!refused_at(within_it));
   for(const char* const beyond :
       {"zeta=20 phi=20.00000000000001", "zeta=150 phi=150.00000000000006",
-       "eta=1e-9 phi=179.999999999000000000001", "eta=1e-18 phi=179.999999999999999999000000000001"})
+       "eta=1e-9 phi=179.999999999000000000001", "eta=1e-18 phi=179.999999999999999999000000000001",
+       "eta=1e-18 phi=179.9999999999999999990000000000000011"})
     CHECK(refused_at(beyond));
 }
 

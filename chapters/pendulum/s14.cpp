@@ -260,8 +260,9 @@ CHECK_THAT(
   for(const char* const too_near : {"eta=60 psi=60.000000000000000000000000000059",
                                     "eta=1e-200rad psi=1.00000000000000000000000000000099e-200rad"})
     CHECK(refused_at(too_near));
-  for(const char* const far_enough : {"eta=60 psi=60.000000000000000000000000000061",
-                                      "eta=1e-200rad psi=1.0000000000000000000000000000101e-200rad"})
+  for(const char* const far_enough :
+      {"eta=60 psi=60.000000000000000000000000000061", "eta=1rad psi=1.000000000000000000000000000001rad",
+       "eta=1e-200rad psi=1.0000000000000000000000000000101e-200rad"})
     CHECK(!refused_at(far_enough));
 }
 
