@@ -94,15 +94,14 @@ TELL
 {
   require(mu >= lambda, "mu", "at least lambda, for Euler's pans swing faster than his beam");
   require(i <= lambda, "i", "at most lambda, for the arm would be more than twice the string");
-  auto& rows =
-      table("rows", "Every 30° of λt, to him half a second: by (1), and by the full equations",
-            {{"t", "t"},
-             {"omega", "ω by (1)"},
-             {"eta", "η"},
-             {"theta", "ϑ"},
-             {"omega_full", "ω in full"},
-             {"eta_full", "η"},
-             {"theta_full", "ϑ"}});
+  auto& rows = table("rows", "Every 30° of λt, to him half a second: by (1), and by the full equations",
+                     {{"t", "t"},
+                      {"omega", "ω by (1)"},
+                      {"eta", "η"},
+                      {"theta", "ϑ"},
+                      {"omega_full", "ω in full"},
+                      {"eta_full", "η"},
+                      {"theta_full", "ϑ"}});
   for(int row = 0; const State<>& full : course(balance_of(given()), {given().at, {}}, period(), 12))
   {
     const Row by_1 = row_of(as_written(), row * exact::pi() / 6, Fifty(1) / 6, 10);
