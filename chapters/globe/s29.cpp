@@ -284,11 +284,9 @@ CHECK_THAT("a ball with c = a is refused whose k is less than 1e-20 of them, and
 
 CHECK_THAT("a ζ is refused together with 1 − h, and where its h is less than 1e-100 or more than 1e100")
 {
-  for(const char* const within_them :
-      {"from_top=0.5", "zeta=1.0000000000000001e-50 a=2 c=1 k=1 g=0.25", "zeta=1e50 a=2 c=1 k=1 g=0.25"})
+  for(const char* const within_them : rolling_within)
     CHECK(!refused_at(within_them));
-  for(const char* const beyond : {"from_top=0.5 zeta=1e-9", "zeta=9.999999999999999e-51 a=2 c=1 k=1 g=0.25",
-                                  "zeta=1.0000000000000002e50 a=2 c=1 k=1 g=0.25"})
+  for(const char* const beyond : rolling_beyond)
     CHECK(refused_at(beyond));
 }
 

@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "pendulum/asked.hpp"
 #include "pendulum/equation.hpp"
 #include "swing/oracle.hpp"
 #include "swing/time.hpp"
@@ -76,8 +77,7 @@ const auto psi = angle("psi", 0.2_deg, above_to(0_deg, 180_deg), "the angle from
 
 TELL
 {
-  require(psi.fifty() >= swing_.eta.fifty() * (1 + Fifty("1e-30")), "psi",
-          "greater than eta, where the descent begins, by at least 1e-30 of it");
+  pendulum::require_descent(psi, swing_.eta);
   const double eta = swing_.eta,
                way = pendulum::way_from_rest(static_cast<double>(psi.fifty() - swing_.eta.fifty()), eta),
                tau = swing::time_from_rest_past(way, eta);
@@ -257,12 +257,9 @@ CHECK_THAT("the curves are the element at three starts, and half over the sine")
 CHECK_THAT(
     "a way of less than 10⁻³⁰ of η is refused, since fifty digits of both angles would leave too few of it")
 {
-  for(const char* const too_near : {"eta=60 psi=60.000000000000000000000000000059",
-                                    "eta=1e-200rad psi=1.00000000000000000000000000000099e-200rad"})
+  for(const char* const too_near : pendulum::hardly_descended)
     CHECK(refused_at(too_near));
-  for(const char* const far_enough :
-      {"eta=60 psi=60.000000000000000000000000000061", "eta=1rad psi=1.000000000000000000000000000001rad",
-       "eta=1e-200rad psi=1.0000000000000000000000000000101e-200rad"})
+  for(const char* const far_enough : pendulum::descended)
     CHECK(!refused_at(far_enough));
 }
 

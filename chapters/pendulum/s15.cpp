@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "pendulum/asked.hpp"
 #include "pendulum/columns.hpp"
 #include "pendulum/equation.hpp"
 #include "swing/oracle.hpp"
@@ -106,8 +107,7 @@ double way_gone()  // ψ − η
 
 TELL
 {
-  require(psi.fifty() >= swing_.eta.fifty() * (1 + Fifty("1e-30")), "psi",
-          "greater than eta, where the descent begins, by at least 1e-30 of it");
+  pendulum::require_descent(psi, swing_.eta);
   const double eta = swing_.eta, way = way_gone(), tau = swing::time_from_rest_past(way, eta);
   const double unit = std::sqrt(b) / std::sqrt(2 * g), first = first_term(way, eta);
   tell("t", unit * tau, seconds, "time from g to Z");
@@ -311,11 +311,9 @@ CHECK_THAT("the figure's first curve is arcosh x − l x while the way is small,
 CHECK_THAT(
     "a way of less than 10⁻³⁰ of η is refused, since fifty digits of both angles would leave too few of it")
 {
-  for(const char* const too_near : {"eta=60 psi=60.000000000000000000000000000059",
-                                    "eta=1e-200rad psi=1.00000000000000000000000000000099e-200rad"})
+  for(const char* const too_near : pendulum::hardly_descended)
     CHECK(refused_at(too_near));
-  for(const char* const far_enough : {"eta=60 psi=60.000000000000000000000000000061",
-                                      "eta=1e-200rad psi=1.0000000000000000000000000000101e-200rad"})
+  for(const char* const far_enough : pendulum::descended)
     CHECK(!refused_at(far_enough));
 }
 

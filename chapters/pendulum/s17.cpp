@@ -1,5 +1,6 @@
 #include "edition/section.hpp"
 #include "exact/quadrature.hpp"
+#include "pendulum/asked.hpp"
 #include "swing/oracle.hpp"
 #include "swing/time.hpp"
 
@@ -103,8 +104,7 @@ const auto psi = angle("psi", 180_deg, above_to(0_deg, 180_deg), "angle from the
 
 TELL
 {
-  require(psi.fifty() >= swing_.eta.fifty() * (1 + Fifty("1e-30")), "psi",
-          "greater than eta, where the descent begins, by at least 1e-30 of it");
+  pendulum::require_descent(psi, swing_.eta);
   const double alpha = swing_.eta / 2, delta = static_cast<double>((psi.fifty() - swing_.eta.fifty()) / 2);
   const double exact = whole_integral(2 * delta, swing_.eta);
   const double first = logarithm(alpha, delta), second = scaled_cube(alpha, delta) / 2;
@@ -302,11 +302,9 @@ CHECK_THAT("the figure has the element and the sums of its terms, times ω")
 CHECK_THAT(
     "a way of less than 10⁻³⁰ of η is refused, since fifty digits of both angles would leave too few of it")
 {
-  for(const char* const too_near : {"eta=60 psi=60.000000000000000000000000000059",
-                                    "eta=1e-200rad psi=1.00000000000000000000000000000099e-200rad"})
+  for(const char* const too_near : pendulum::hardly_descended)
     CHECK(refused_at(too_near));
-  for(const char* const far_enough : {"eta=60 psi=60.000000000000000000000000000061",
-                                      "eta=1e-200rad psi=1.0000000000000000000000000000101e-200rad"})
+  for(const char* const far_enough : pendulum::descended)
     CHECK(!refused_at(far_enough));
 }
 

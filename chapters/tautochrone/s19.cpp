@@ -112,8 +112,7 @@ double risen_in(const Swing& swing, double to)  // the time from C to the angle 
 TELL
 {
   const double ratio = k / a;
-  require(ratio >= 1e-9, "k", "from 1e-9 a to 1e9 a");
-  require(ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
+  require_ratio(ratio);
   const auto which = static_cast<Cheeks>(int(cheeks));
   require(phi0 < 0.99 * largest_amplitude(which, ratio), "phi0",
           "less than 99 hundredths of the angle at which the thread is all wound");
@@ -343,10 +342,9 @@ CHECK_THAT(
     CHECK(!refused_at(within_them));
   for(const char* const beyond : {"phi0=30 phi=30.00000000000001", "phi0=60 phi=60.00000000000003"})
     CHECK(refused_at(beyond));
-  for(const char* const within_them : {"k=1e-9", "k=1e9", "k=2e-9 a=2", "k=2e9 a=2"})
+  for(const char* const within_them : ratio_within)
     CHECK(!refused_at(within_them));
-  for(const char* const beyond :
-      {"k=9.99999999999999e-10", "k=1.00000000000001e9", "k=1.9999e-9 a=2", "k=2.0001e9 a=2"})
+  for(const char* const beyond : ratio_beyond)
     CHECK(refused_at(beyond));
 }
 

@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "tautochrone/asked.hpp"
 #include "tautochrone/cheeks.hpp"
 #include "tautochrone/euler.hpp"
 #include "tautochrone/path.hpp"
@@ -51,8 +52,7 @@ double height(int which, double ratio, double phi)  // c over a
 
 TELL
 {
-  require(k / a >= 1e-9, "k", "from 1e-9 a to 1e9 a");
-  require(k / a <= 1e9, "k", "from 1e-9 a to 1e9 a");
+  require_ratio(k / a);
   const auto which = static_cast<Cheeks>(int(cheeks));
   require(phi0 < 0.99 * largest_amplitude(which, k / a), "phi0",
           "less than 99 hundredths of the angle at which the thread is all wound, or the body at the top");
@@ -170,10 +170,9 @@ CHECK_THAT(
   CHECK(refused_at("phi0=89.1000000000001"));
   CHECK(!refused_at("cheeks=0 phi0=178.199999999999"));
   CHECK(refused_at("cheeks=0 phi0=178.200000000001"));
-  for(const char* const within_them : {"k=1e-9", "k=1e9", "k=2e-9 a=2", "k=2e9 a=2"})
+  for(const char* const within_them : ratio_within)
     CHECK(!refused_at(within_them));
-  for(const char* const beyond :
-      {"k=9.99999999999999e-10", "k=1.00000000000001e9", "k=1.9999e-9 a=2", "k=2.0001e9 a=2"})
+  for(const char* const beyond : ratio_beyond)
     CHECK(refused_at(beyond));
 }
 

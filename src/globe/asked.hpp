@@ -33,6 +33,8 @@ struct Asked_energy
   edition::Parameter<double> from_top;  ///< 1 − h, or 0
   edition::Parameter<double> zeta;      ///< The angular velocity at the lowest place, or 0.
 
+  /// The option that counts, by its name.
+  const char* given() const { return zeta != 0 ? "zeta" : from_top != 0 ? "from_top" : "h"; }
   /// What was asked for, with kk as in energy_of_velocity(). Refuses from_top and zeta together, and a ζ with an
   /// h beyond 1e-100 … 1e100.
   Energy<exact::Fifty> fifty(const exact::Fifty& c, const exact::Fifty& kk, const exact::Fifty& g) const
@@ -51,8 +53,6 @@ struct Asked_energy
   {
     return fifty(c.fifty(), k.fifty() * k.fifty(), g.fifty());
   }
-  /// The option that counts, by its name.
-  const char* given() const { return zeta != 0 ? "zeta" : from_top != 0 ? "from_top" : "h"; }
   /// And of one that rolls, where it is bb.
   Energy<exact::Fifty> rolling(const edition::Parameter<double>& a, const edition::Parameter<double>& c,
                                const edition::Parameter<double>& k,
@@ -71,6 +71,15 @@ inline Asked_energy asked_energy(double default_h)
           real("zeta", 0, Unit{"1/s"}, closed(0, 1e100),
                "angular velocity at the lowest place instead of h, where not 0")};
 }
+
+/// Settings on either side of the limits of ζ for a ball that rolls, for the checks.
+/// @{
+inline constexpr const char* rolling_within[] = {
+    "from_top=0.5", "zeta=1.0000000000000001e-50 a=2 c=1 k=1 g=0.25", "zeta=1e50 a=2 c=1 k=1 g=0.25"};
+inline constexpr const char* rolling_beyond[] = {"from_top=0.5 zeta=1e-9",
+                                                 "zeta=9.999999999999999e-51 a=2 c=1 k=1 g=0.25",
+                                                 "zeta=1.0000000000000002e50 a=2 c=1 k=1 g=0.25"};
+/// @}
 
 /// The options --Phi and --psi: the second counts where it is not 0.
 struct Asked_place

@@ -40,6 +40,20 @@ inline edition::Default within_swing(double usual, const edition::Parameter<doub
   return edition::at_most(usual, "phi0", [phi0] { return phi0.fifty(); });
 }
 
+/// Refuses, by its name, a k that is not from 1e-9 a to 1e9 a.
+inline void require_ratio(double ratio)
+{
+  edition::require(ratio >= 1e-9, "k", "from 1e-9 a to 1e9 a");
+  edition::require(ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
+}
+
+/// Settings on either side of these limits, for the checks.
+/// @{
+inline constexpr const char* ratio_within[] = {"k=1e-9", "a=2 k=2e-9", "k=1e9", "a=2 k=2e9"};
+inline constexpr const char* ratio_beyond[] = {"k=9.999999999999997e-10", "a=2 k=1.9999999999999994e-9",
+                                               "k=1000000000.0000002", "a=2 k=2000000000.0000004"};
+/// @}
+
 /// The place φ of a swing out to φ₀, whatever leads the thread, for k = ratio and a = 1: found from the angles as
 /// they were written, in fifty digits, and rounded. Near the end of the swing their doubles would leave little of
 /// c − x. Refuses, by its name, a φ beyond φ₀. Domain: that of on_cheeks(). Each number is off by half an ulp.
@@ -57,12 +71,21 @@ inline Posture<double> posture_as_written(Cheeks cheeks, double ratio,
 inline Posture<double> asked_posture(Cheeks cheeks, double ratio, const edition::Parameter<double>& phi0,
                                      const edition::Parameter<double>& phi)
 {
-  edition::require(ratio >= 1e-9, "k", "from 1e-9 a to 1e9 a");
-  edition::require(ratio <= 1e9, "k", "from 1e-9 a to 1e9 a");
+  require_ratio(ratio);
   edition::require(phi0 < largest_amplitude(cheeks, ratio), "phi0",
                    "less than where the thread is all wound");
   return posture_as_written(cheeks, ratio, phi0, phi);
 }
+
+/// Settings on either side of the other limits of a posture asked for, for the checks.
+/// @{
+inline constexpr const char* posture_within[] = {
+    "cheeks=2 k=0.3 phi0=57.5849", "cheeks=3 k=0.3 phi0=47.8289", "cheeks=3 k=0.6 phi0=30.8849",
+    "phi0=30 phi=30", "phi0=50 phi=50"};
+inline constexpr const char* posture_beyond[] = {
+    "cheeks=2 k=0.3 phi0=57.5850", "cheeks=3 k=0.3 phi0=47.8290", "cheeks=3 k=0.6 phi0=30.8850",
+    "phi0=30 phi=30.0000000000000000000001", "phi0=50 phi=50.0000000000000000000001"};
+/// @}
 
 /// Where Euler's curve with both corrections ends, for k = ratio and a = 1: the angle in radians at which r has
 /// come down to zero and the thread is all wound, ½π for a ratio below 1e-10. Refuses, by the names of the
