@@ -5,6 +5,7 @@ import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { after, before, test } from 'node:test';
 import { asTeX, asText, format, powers } from '../../book/numbers.mjs';
 import { palette } from '../../book/figure.mjs';
@@ -200,8 +201,33 @@ const drawing =
   '<svg\n viewBox="0 0 640 400">\n<g id="gnuplot_canvas">\n<defs>\n</defs>\n' +
   "<path stroke='rgb( 20,  71, 154)' d='M0,0 L1,1'/>\n</g>\n</svg>\n";
 
+const weaver = path.join(root, 'book/weave.mjs');
+let weaves = 0;
+
+/** What the weaver says of two folders. It is loaded anew each time, but for the modules that it takes, which keep nothing. */
+async function woven(...words) {
+  const told = { status: 0, stdout: '', stderr: '' };
+  const { argv, exitCode } = process;
+  const { log, error } = console;
+  process.argv = [process.execPath, weaver, ...words];
+  process.exitCode = 0;
+  console.log = (line) => (told.stdout += `${line}\n`);
+  console.error = (line) => (told.stderr += `${line}\n`);
+  try {
+    await import(`${pathToFileURL(weaver)}?${(weaves += 1)}`);
+    told.status = process.exitCode;
+  } catch (thrown) {
+    told.status = 1;
+    told.stderr += thrown.stack;
+  } finally {
+    Object.assign(console, { log, error });
+    Object.assign(process, { argv, exitCode });
+  }
+  return told;
+}
+
 /** Weaves a book of one section, after `spoil` has changed some of its files. */
-function weave(spoil = () => {}, ...options) {
+async function weave(spoil = () => {}, ...options) {
   const source = fs.mkdtempSync(path.join(place, 'source-'));
   const build = fs.mkdtempSync(path.join(place, 'build-'));
   const files = {
@@ -253,21 +279,28 @@ function weave(spoil = () => {}, ...options) {
     link(`book/${name}`);
   for (const name of fs.readdirSync(path.join(root, 'book/matter')).filter((f) => f !== 'index.md'))
     link(`book/matter/${name}`);
-  const run = spawnSync(process.execPath, [path.join(root, 'book/weave.mjs'), source, build, ...options], {
-    encoding: 'utf8',
-  });
+  const run = await woven(source, build, ...options);
   const page = (name = 'pendulum-11') => fs.readFileSync(path.join(build, `dox/${name}.dox`), 'utf8');
-  return { ...run, page };
+  return { ...run, page, source, build };
+}
+
+/** The same by a process of its own, as the build does it. */
+function byItself({ source, build }) {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [weaver, source, build], { encoding: 'utf8' });
+  return { status, stdout, stderr };
 }
 
 /** The line of the section's file on which a piece of it stands, once it is spoilt. */
 const lineOf = (text, piece) => text.slice(0, text.indexOf(piece)).split('\n').length;
 
-test('a section that is right is woven', () => {
-  const { status, stderr, page } = weave();
+test('a section that is right is woven', async () => {
+  const { page, source, build, ...said } = await weave();
+  const { status, stderr } = said;
   assert.equal(stderr, '');
   assert.equal(status, 0);
   const html = page();
+  assert.deepEqual(byItself({ source, build }), said);
+  assert.equal(page(), html);
   assert.match(html, /\\page pendulum-11 A section for the test/);
   assert.match(html, /<data class="told"[^>]*data-name="pendulum.11.half"[^>]*value="0.5">0.50<\/data>/);
   assert.match(html, /data-name="pendulum\.11\.half" data-format="3"/); // in the formula
@@ -481,8 +514,8 @@ const faults = {
   ],
 };
 for (const [name, [spoilt, message, piece]] of Object.entries(faults))
-  test(`refused: ${name}`, () => {
-    const { status, stderr } = weave((files) => files.replace(...spoilt));
+  test(`refused: ${name}`, async () => {
+    const { status, stderr } = await weave((files) => files.replace(...spoilt));
     const line = piece
       ? lineOf(
           section.replace(spoilt[1], () => spoilt[2]),
@@ -494,9 +527,9 @@ for (const [name, [spoilt, message, piece]] of Object.entries(faults))
     assert.equal(status, 1);
   });
 
-test('what confirms an answer is folded as the answer is', () => {
+test('what confirms an answer is folded as the answer is', async () => {
   const claimed = 'CHECK_THAT("half of one is a half")\n{\n  CHECK(half(1) == 0.5);\n}\n';
-  const { stderr, page } = weave((files) => {
+  const { stderr, page } = await weave((files) => {
     files.replace('s11.cpp', claimed, '');
     files.replace('s11.cpp', 'answer: One.\n:::\n*/\n', `answer: One.\n:::\n*/\n\n${claimed}`);
   });
@@ -504,97 +537,99 @@ test('what confirms an answer is folded as the answer is', () => {
   assert.match(page(), /<details class="folded"><summary>what confirms it<\/summary><section class="check" id="check-1">/);
 });
 
-test('refused: an orphan figure script', () => {
+test('refused: an orphan figure script', async () => {
   assert.match(
-    weave((files) => files.add('figures/pendulum-12.gp', figure)).stderr,
+    (await weave((files) => files.add('figures/pendulum-12.gp', figure))).stderr,
     /^figures\/pendulum-12\.gp:1: an orphan/,
   );
 });
-test('refused: what Doxygen would lose of the library', () => {
-  const header = (text) => weave((files) => files.add('src/swing/time.hpp', text)).stderr;
-  assert.match(header('/// | a | b |\n/// | --- | --- |\n/// | `x|y` | b |\n'), /^src\/swing\/time\.hpp:3: a bar in code/);
-  assert.match(header('/// | \\f$|x|\\f$ | b |\n'), /^src\/swing\/time\.hpp:1: a bar in code or in a formula/);
-  assert.match(header('/// It is \\f$\\mathrm{sn}\\,u\\f$.\n'), /^src\/swing\/time\.hpp:1: a function's name/);
+test('refused: what Doxygen would lose of the library', async () => {
+  const header = async (text) => (await weave((files) => files.add('src/swing/time.hpp', text))).stderr;
+  assert.match(await header('/// | a | b |\n/// | --- | --- |\n/// | `x|y` | b |\n'), /^src\/swing\/time\.hpp:3: a bar in code/);
+  assert.match(await header('/// | \\f$|x|\\f$ | b |\n'), /^src\/swing\/time\.hpp:1: a bar in code or in a formula/);
+  assert.match(await header('/// It is \\f$\\mathrm{sn}\\,u\\f$.\n'), /^src\/swing\/time\.hpp:1: a function's name/);
   const twice = '/// It is.\ntemplate <class T>\n  requires A<T>\nT f(T x) requires B<T>;\n';
-  assert.match(header(twice), /^src\/swing\/time\.hpp:2: two "requires" clauses/);
+  assert.match(await header(twice), /^src\/swing\/time\.hpp:2: two "requires" clauses/);
   const once = '// requires\ntemplate <class T>\n  requires(A<T> && requires(T x) { x + x; })\nT f(T x);\n';
-  assert.equal(header(once), '');
+  assert.equal(await header(once), '');
 });
 
-test('refused: no figure and no reason for none; a reason is enough', () => {
+test('refused: no figure and no reason for none; a reason is enough', async () => {
   const without = (instead) => (files) => {
     files.replace('s11.cpp', '::: figure pendulum-11\nalt: A line at {{half}}.\n\nThe caption.\n:::', instead);
     files.remove('pendulum-11.gp');
   };
   assert.match(
-    weave(without('')).stderr,
+    (await weave(without(''))).stderr,
     /^chapters\/pendulum\/s11\.cpp:1: no figure, and no reason for none/,
   );
-  assert.equal(weave(without('::: no-figure\nNothing is drawn.\n:::')).status, 0);
+  assert.equal((await weave(without('::: no-figure\nNothing is drawn.\n:::'))).status, 0);
 });
-test('a page that is no section may show a section its figure, without a number', () => {
-  const { status, page } = weave((files) =>
+test('a page that is no section may show a section its figure, without a number', async () => {
+  const { status, page } = await weave((files) =>
     files.replace('index.md', 'It opens.', '::: figure pendulum-11\nalt: A line.\n\nIt stands in front.\n:::'),
   );
   assert.equal(status, 0);
   assert.match(page('index'), /<figure data-figure="pendulum-11">\n<div[^]*<figcaption>It stands in front\./);
 });
-test('refused: a program without a page, a page without a program', () => {
+test('refused: a program without a page, a page without a program', async () => {
   assert.match(
-    weave((files) => files.replace('programs.txt', 'pendulum-11', 'pendulum-11\npendulum-12')).stderr,
+    (await weave((files) => files.replace('programs.txt', 'pendulum-11', 'pendulum-11\npendulum-12'))).stderr,
     /^chapters\/pendulum\/s12\.cpp:1: the program pendulum-12 has no section file/,
   );
   assert.match(
-    weave((files) => files.add('chapters/globe/s01.cpp', section)).stderr,
+    (await weave((files) => files.add('chapters/globe/s01.cpp', section))).stderr,
     /^chapters\/globe\/s01\.cpp:1: is no program of this build/,
   );
 });
-test('refused: a program that has told nothing', () => {
+test('refused: a program that has told nothing', async () => {
   assert.match(
-    weave((files) => files.remove('pendulum-11.json')).stderr,
+    (await weave((files) => files.remove('pendulum-11.json'))).stderr,
     /^chapters\/pendulum\/s11\.cpp:1: the program pendulum-11 has told nothing/,
   );
 });
-test('refused: an entry that nothing refers to, unless it says that its place is not shown', () => {
+test('refused: an entry that nothing refers to, unless it says that its place is not shown', async () => {
   const without = (files) => {
     files.replace('s11.cpp', 'a third {{entry slip}}', 'a third');
     files.replace('s11.cpp', 'x = 1{{entry slip}}', 'x = 1');
   };
-  assert.match(weave(without).stderr, /s11\.cpp:\d+: nothing in the account refers to this erratum: put \{\{entry slip\}\}/);
-  const { status } = weave((files) => {
+  assert.match((await weave(without)).stderr, /s11\.cpp:\d+: nothing in the account refers to this erratum: put \{\{entry slip\}\}/);
+  const { status } = await weave((files) => {
     without(files);
     files.replace('pendulum-11.json', '"shown":true', '"shown":false');
   });
   assert.equal(status, 0);
 });
-test('all faults of a weave are told at once, in the order of the file', () => {
-  const { status, stderr } = weave((files) => {
+test('all faults of a weave are told at once, in the order of the file', async () => {
+  const { page, source, build, ...said } = await weave((files) => {
     files.replace('s11.cpp', '{{half|f2}}', '{{third}}');
     files.replace('s11.cpp', 'One line.', 'One $x line, and <i>HTML</i>.');
     files.replace('s11.cpp', '{{sec pendulum.12}}', '{{sec pendulum.39}}');
     files.replace('index.md', 'It opens.', 'It opens {{nothing}}.');
   });
+  const { status, stderr } = said;
   assert.equal(status, 1);
+  assert.deepEqual(byItself({ source, build }), said);
   const lines = stderr.trim().split('\n');
   assert.equal(lines.length, 5, stderr);
   assert.match(lines[0], /^book\/matter\/index\.md:3: /);
   const numbers = lines.slice(1).map((l) => Number(l.split(':')[1]));
   assert.deepEqual(numbers, [...numbers].sort((a, b) => a - b));
 });
-test('one page alone is woven with all its faults, and no one else’s', () => {
+test('one page alone is woven with all its faults, and no one else’s', async () => {
   const alone = ['--only', 'pendulum-11'];
-  const { status, stdout, page } = weave(
+  const { status, stdout, page } = await weave(
     (files) => files.replace('index.md', 'It opens.', 'It opens {{nothing}}.'),
     ...alone,
   );
   assert.equal(status, 0);
   assert.match(stdout, /woven: 1 page/);
   assert.match(page(), /A section for the test/);
-  const spoilt = weave((files) => files.replace('s11.cpp', '{{half|f2}}', '{{third}} and {{fourth}}'), ...alone);
+  const spoilt = await weave((files) => files.replace('s11.cpp', '{{half|f2}}', '{{third}} and {{fourth}}'), ...alone);
   assert.equal(spoilt.status, 1);
   assert.equal(spoilt.stderr.trim().split('\n').length, 2);
 });
-test('a chapter has its map, its notation and its words', () => {
+test('a chapter has its map, its notation and its words', async () => {
   const map = '# What needs what\n\n::: map\n11 <- 7 8\n:::\n\n::: route\n11: Because.\n:::\n';
   const notation = (where) =>
     `| Euler | today | in the code | meaning | first |\n| --- | --- | --- | --- | --- |\n| $a$ | | | a letter | ${where} |\n`;
@@ -603,14 +638,14 @@ test('a chapter has its map, its notation and its words', () => {
     files.add('chapters/pendulum/notation.md', notation(wrong ? '' : '{{sec pendulum.11}}'));
     files.add('chapters/pendulum/glossary.md', wrong ? 'sagitta\nan arrow\n' : 'sagitta\n: An arrow.\n');
   };
-  const { status, stderr, page } = weave((files) => add(files, false));
+  const { status, stderr, page } = await weave((files) => add(files, false));
   assert.equal(stderr, '');
   assert.equal(status, 0);
   assert.match(page('pendulum-map'), /<div class="needs"><svg[^]*<path[^]*needs §\u00a07, §\u00a08/);
   assert.match(page('pendulum-map'), /<ol class="route">[^]*pendulum-11\.html[^]*Because/);
   assert.match(page('notation'), /<a href="pendulum-11\.html">§\u00a011<\/a>/);
   assert.match(page('glossary'), /<dt id="term-sagitta">sagitta<\/dt>/);
-  const wrong = weave((files) => add(files, true)).stderr;
+  const wrong = (await weave((files) => add(files, true))).stderr;
   assert.match(wrong, /pendulum\/map\.md:4: there is no § 39/);
   assert.match(wrong, /pendulum\/notation\.md:3: the row does not say where/);
   assert.match(wrong, /pendulum\/glossary\.md:1: an entry is a line with the term/);
@@ -669,8 +704,8 @@ test('a phrase in quotation marks is looked up as a phrase', () => {
   assert.deepEqual(asked('the "Rule of the" sagitta').phrases, [' rule of the ']);
   assert.equal(asked('rule').phrases.length, 0);
 });
-test('a check that fails is shown as failing', () => {
-  const { page } = weave((files) =>
+test('a check that fails is shown as failing', async () => {
+  const { page } = await weave((files) =>
     files.replace('check.json', '"line":51,"passed":true', '"line":51,"passed":false'),
   );
   assert.match(page(), /✗ fails<\/span> Half of one is a half/);
@@ -705,18 +740,18 @@ test('numbers are rounded on their decimals and written as prose and as mathemat
   assert.equal(format({ value: 1, unit: '' }, 'x'), null);
 });
 
-test('an option is not broken behind its dashes', () => {
+test('an option is not broken behind its dashes', async () => {
   const call = '`pendulum-11 --x 0.000000001 --check`';
-  const { page } = weave((files) => files.replace('s11.cpp', 'He finds a third', `He finds ${call}, a third`));
+  const { page } = await weave((files) => files.replace('s11.cpp', 'He finds a third', `He finds ${call}, a third`));
   assert.match(page(), /<code>pendulum-11 <span class="stopped">--x<\/span> 0\.0+1 <span class="stopped">--check<\/span><\/code>/);
 });
 
-test('a sign of the apparatus stays on the line of its formula', () => {
-  const { page } = weave((files) => files.replace('s11.cpp', 'He finds a third {{entry', 'He finds $\\tfrac13$ {{entry'));
+test('a sign of the apparatus stays on the line of its formula', async () => {
+  const { page } = await weave((files) => files.replace('s11.cpp', 'He finds a third {{entry', 'He finds $\\tfrac13$ {{entry'));
   assert.match(page(), /He finds <span class="stopped"><span class="katex">[^]*?<\/span>\u00a0<a class="siglum"[^>]*>⁕<\/a><\/span>\. See/);
 });
 
-test('a range is written with powers of ten, as the numbers are', () => {
+test('a range is written with powers of ten, as the numbers are', async () => {
   for (const [told, written] of [
     ['1e-10 ft ≤ b ≤ 10000000000 ft', '10⁻¹⁰ ft ≤ b ≤ 10¹⁰ ft'],
     ['-1e+12° ≤ Phi ≤ 1e+12°', '−10¹²° ≤ Phi ≤ 10¹²°'],
@@ -726,7 +761,7 @@ test('a range is written with powers of ten, as the numbers are', () => {
     ['a whole number from 0 to 1000000', 'a whole number from 0 to 10⁶'],
   ])
     assert.equal(powers(told), written);
-  assert.match(weave().page(), /<td class="word range">10⁻¹⁰⁰ ≤ x ≤ 10¹⁰⁰<\/td>/);
+  assert.match((await weave()).page(), /<td class="word range">10⁻¹⁰⁰ ≤ x ≤ 10¹⁰⁰<\/td>/);
 });
 
 test('a column of numbers that were typed shows them so, one of results all its digits', () => {
@@ -738,8 +773,8 @@ test('a column of numbers that were typed shows them so, one of results all its 
   assert.deepEqual(cells, [['30', '1.00000 × 10⁻⁶'], ['0.5', '0.250000'], ['90', '2']]);
 });
 
-test('the sign of a told angle or percentage stands once', () => {
-  const { status, stderr, page } = weave((files) => {
+test('the sign of a told angle or percentage stands once', async () => {
+  const { status, stderr, page } = await weave((files) => {
     files.replace(
       'pendulum-11.json',
       '"values":[',
