@@ -2,9 +2,10 @@
 /// What the text that the edition is made from has wrong, or seems to: each place with its proof.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <type_traits>
+
+#include "edition/rule.hpp"
 
 namespace edition
 {
@@ -26,11 +27,11 @@ struct Reading
   }
   /// @}
 
-  std::string text;                ///< The words.
-  std::function<double()> yields;  ///< The number.
+  std::string text;       ///< The words.
+  Rule<double()> yields;  ///< The number.
 
 private:
-  static std::function<double()> constant(double value);
+  static Rule<double()> constant(double value);
 };
 
 /// Whose slip it is.
@@ -57,13 +58,13 @@ inline constexpr Shown not_shown = Shown::not_there;
 /// with what is right; for an undecided reading it must hold with both, and fail with one of the others. The programs' checks try all of them.
 struct Entry
 {
-  Kind kind;                          ///< Whose slip it is.
-  std::string where;                  ///< The place, section first.
-  Reading copy;                       ///< What stands there; of two possible readings, the one.
-  Reading right;                      ///< What should; of two possible readings, the other.
-  std::string because;                ///< The proof in words.
-  std::function<bool(double)> holds;  ///< The proof.
-  Shown shown;                        ///< Whether the account refers to it.
+  Kind kind;                 ///< Whose slip it is.
+  std::string where;         ///< The place, section first.
+  Reading copy;              ///< What stands there; of two possible readings, the one.
+  Reading right;             ///< What should; of two possible readings, the other.
+  std::string because;       ///< The proof in words.
+  Rule<bool(double)> holds;  ///< The proof.
+  Shown shown;               ///< Whether the account refers to it.
 };
 
 /// An Entry of one kind, declared as an object of the section's file, in whose apparatus it is then.
@@ -71,8 +72,8 @@ template <Kind kind_of_entry>
 struct EntryOf
 {
   /// See Entry.
-  EntryOf(const char* where, Reading copy, Reading right, const char* because,
-          std::function<bool(double)> holds, Shown shown = Shown::at_its_place);
+  EntryOf(const char* where, Reading copy, Reading right, const char* because, Rule<bool(double)> holds,
+          Shown shown = Shown::at_its_place);
 };
 extern template struct EntryOf<Kind::erratum>;
 extern template struct EntryOf<Kind::emendation>;

@@ -237,7 +237,7 @@ Parameter<int>::operator int() const
   return static_cast<int>(read(index_).value);
 }
 
-Default at_most(double usual, const char* in_words, std::function<Fifty()> most)
+Default at_most(double usual, const char* in_words, Rule<Fifty()> most)
 {
   return {usual, in_words, std::move(most)};
 }

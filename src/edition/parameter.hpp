@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <numbers>
 
+#include "edition/rule.hpp"
 #include "exact/fifty.hpp"
 
 namespace edition
@@ -180,18 +180,18 @@ struct Default
   /// The same number always.
   Default(double always) : usual(always) {}
   /// See at_most().
-  Default(double otherwise, const char* in_words, std::function<Fifty()> end)
+  Default(double otherwise, const char* in_words, Rule<Fifty()> end)
       : usual(otherwise), most_in_words(in_words), most(std::move(end))
   {
   }
   double usual;                    ///< The default.
   const char* most_in_words = "";  ///< What it is at most; empty where nothing.
-  std::function<Fifty()> most{};   ///< The same in the program's unit, at the other parameters' values.
+  Rule<Fifty()> most{};            ///< The same in the program's unit, at the other parameters' values.
 };
 /// The default `usual`, but `most()` where that is less: `at_most(40_deg, "phi0", [] { return phi0.fifty(); })`.
 /// `most` may look at parameters that were declared before, whatever their ranges let them be; it must lie in
 /// the range of the one that is declared.
-Default at_most(double usual, const char* in_words, std::function<Fifty()> most);
+Default at_most(double usual, const char* in_words, Rule<Fifty()> most);
 
 /// A quantity that Euler leaves free: an option of the program, a number in its code.
 template <class Number>

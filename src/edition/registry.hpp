@@ -187,7 +187,7 @@ void set_parameters(Section& s, const std::vector<std::pair<std::string, std::st
 void tell_anew(Section& s, Wanted wanted);
 
 /// Tells a curve, which is drawn where that is `wanted`.
-void add_curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw,
+void add_curve(const char* name, std::vector<std::string> columns, const Rule<void(Curve&)>& draw,
                bool wanted);
 
 /// A number of the program's unit in `unit`.

@@ -41,7 +41,7 @@ Body ground(double y, std::string colour)
 }  // namespace drawn
 
 void scene(const char* name, std::vector<Body> bodies, std::vector<std::string> columns,
-           const std::function<void(Curve&)>& frames)
+           const Rule<void(Curve&)>& frames)
 {
   const auto must_be_there = [&](const Moving& coordinate) {
     const auto* column = std::get_if<std::string>(&coordinate);

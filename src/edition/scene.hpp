@@ -2,7 +2,6 @@
 /// Scenes that move: the bodies that the page draws, and the motion that the section's program gives them.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -54,6 +53,6 @@ Body ground(double y, std::string colour = "grey");
 /// after the last frame. The frames are a curve: checks can look at them by the scene's name. @throws
 /// std::logic_error for a body with a column that there is not
 void scene(const char* name, std::vector<Body> bodies, std::vector<std::string> columns,
-           const std::function<void(Curve&)>& frames);
+           const Rule<void(Curve&)>& frames);
 
 }  // namespace edition

@@ -70,14 +70,14 @@ Telling::Telling(void (*body)())
   section().telling.push_back({body});
 }
 
-std::function<double()> Reading::constant(double value)
+Rule<double()> Reading::constant(double value)
 {
   return [value] { return value; };
 }
 
 template <Kind kind_of_entry>
 EntryOf<kind_of_entry>::EntryOf(const char* where, Reading copy, Reading right, const char* because,
-                                std::function<bool(double)> holds, Shown shown)
+                                Rule<bool(double)> holds, Shown shown)
 {
   section().apparatus.push_back(
       {kind_of_entry, where, std::move(copy), std::move(right), because, std::move(holds), shown});

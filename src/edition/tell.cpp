@@ -224,12 +224,12 @@ void Curve::block()
   text_ += fmt::format("\n\n{}\n", fmt::join(columns_, "\t"));
 }
 
-void curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw)
+void curve(const char* name, std::vector<std::string> columns, const Rule<void(Curve&)>& draw)
 {
   add_curve(name, std::move(columns), draw, section().wanted.figures);
 }
 
-void add_curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw,
+void add_curve(const char* name, std::vector<std::string> columns, const Rule<void(Curve&)>& draw,
                bool wanted)
 {
   must_be_a_name("curve", name);

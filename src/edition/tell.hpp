@@ -2,7 +2,6 @@
 /// What a section says: values, tables, the data of its figures, races of several ways to one number.
 #pragma once
 
-#include <functional>
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "edition/parameter.hpp"
+#include "edition/rule.hpp"
 #include "exact/rational.hpp"
 
 namespace edition
@@ -98,15 +98,15 @@ private:
 };
 
 /// Declares data for a figure; `draw` is called, at once, only when data are asked for.
-void curve(const char* name, std::vector<std::string> columns, const std::function<void(Curve&)>& draw);
+void curve(const char* name, std::vector<std::string> columns, const Rule<void(Curve&)>& draw);
 
 /// One way to a number. Methods of one `family` (a series with more and more terms, say) are joined by
 /// a line in the plot.
 struct Method
 {
-  std::string name;                  ///< What it is called in the plot and the table.
-  std::function<double()> evaluate;  ///< The number, computed anew at each call.
-  std::string family = {};           ///< Empty for a method that stands alone.
+  std::string name;         ///< What it is called in the plot and the table.
+  Rule<double()> evaluate;  ///< The number, computed anew at each call.
+  std::string family = {};  ///< Empty for a method that stands alone.
 };
 
 /// Sets several ways to one number side by side: the error of each in ulps of the 50-digit value
