@@ -27,7 +27,7 @@ TEST_CASE("the names mean the functions rounded to nearest, and the C library's 
 {
   for(int i = 1; i < 1000; ++i)
   {
-    const double x = 0.001 * i;
+    const volatile double x = 0.001 * i;  // read anew: of one number a compiler asks for one sine
     CHECK(std::sinh(x) == nearest::sinh(x));
     CHECK(std::exp(x) == nearest::exp(x));
     CHECK(std::sin(100 * x) == nearest::sin(100 * x));

@@ -16,7 +16,6 @@ namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -46,7 +45,7 @@ Lone_pan lone_pan(const Balance<>& b, double n)
 double trapping_ratio(double r)
 {
   if(!(r >= 0 && r <= 1))
-    return nan;
+    return std::numeric_limits<double>::quiet_NaN();
   const double complement = std::sqrt((1 - r) * (1 + r) * (1 + r * r));
   return 2 / std::numbers::pi * swing::K_from_complement(complement);
 }
@@ -130,6 +129,7 @@ Handover handover(const std::vector<Envelope>& course)
       return {here.t + part * (here.t - before.t), here.Q / course.front().P, here.P / course.front().P};
     }
   }
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   return {nan, nan, nan};
 }
 

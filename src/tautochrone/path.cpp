@@ -11,17 +11,17 @@ namespace tautochrone
 namespace
 {
 
-constexpr int first = kernels::lanes, most = 1944;
+constexpr int fewest_nodes = kernels::lanes, most_nodes = 1944;
 
 // cos²α of the midpoint rules with 8, 24, 72, ... nodes, each time only the new ones.
-const std::array<double, most>& nodes()
+const std::array<double, most_nodes>& nodes()
 {
-  static const std::array<double, most> made = [] {
-    std::array<double, most> cos2{};
+  static const std::array<double, most_nodes> made = [] {
+    std::array<double, most_nodes> cos2{};
     std::size_t filled = 0;
-    for(int n = first; filled < most; n *= 3)
+    for(int n = fewest_nodes; filled < most_nodes; n *= 3)
       for(int i = 0; i < n; ++i)
-        if(n == first || i % 3 != 1)
+        if(n == fewest_nodes || i % 3 != 1)
         {
           const double cosine = std::cos((i + 0.5) / n * (std::numbers::pi / 2));
           cos2[filled++] = cosine * cosine;
@@ -81,13 +81,13 @@ double Path::swing_time(double phi0, kernels::Sum sum) const
   const kernels::Swing s{
       powers_, inverse_powers_, r_.data(), rise, r_inverse_.data(), rise_inverse, c0, uu2, kk_};
   double total = 0, coarse = 0;
-  for(int n = 3 * first, done = 0; n <= most; n *= 3)
+  for(int n = 3 * fewest_nodes, done = 0; n <= most_nodes; n *= 3)
   {
     for(double sums[3]; done < n; done += 3 * kernels::lanes)
     {
       sum(s, nodes().data() + done, sums);
       if(done == 0)
-        coarse = sums[0] / first;
+        coarse = sums[0] / fewest_nodes;
       total += sums[0] + (sums[1] + sums[2]);
     }
     const double fine = total / n;
