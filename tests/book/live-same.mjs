@@ -91,14 +91,17 @@ for (const program of [...programs].reverse()) {
   if (!isDeepStrictEqual(usual.told, JSON.parse(read(`told/${program}.json`))))
     fault(`${program}: in a program with others it tells something else`);
   for (const given of settings(usual.told.parameters)) {
+    const where = `${program} with ${JSON.stringify(given)}`;
     const here = await usually.tell(program, given);
     const start = performance.now();
     const there = await engine(program).tell(program, given);
-    if (there.told) await Promise.all(figuresOf(program).map((name) => engine(program).draw(name))).catch(() => {});
-    took.push({ ms: performance.now() - start, where: `${program} with ${JSON.stringify(given)}` });
+    for (const name of there.told ? figuresOf(program) : [])
+      await engine(program)
+        .draw(name)
+        .catch((error) => fault(`${where}: ${name} cannot be drawn: ${error.message ?? error}`));
+    took.push({ ms: performance.now() - start, where });
     compared.settings += 1;
     if (here.refused) compared.refused += 1;
-    const where = `${program} with ${JSON.stringify(given)}`;
     if ((here.refused ?? here.failed) !== (there.refused ?? there.failed))
       fault(`${where}: refused otherwise`);
     else if (here.told) {
