@@ -1,5 +1,6 @@
 # Writes WRAPPER, the file that is compiled for SECTION, say pendulum/s09.cpp: the section's includes, and then the section
-# in the namespace pendulum_09. SECTION() must name the file's own place. Writes OPTIONS too, with which it is compiled besides.
+# in the namespace pendulum_09. SECTION() must name the file's own place. Writes OPTIONS too, with which it is compiled besides:
+# RACING tells by its text a section that races ways.
 cmake_minimum_required(VERSION 3.22)
 string(REGEX MATCH "^([a-z]+)/s(0?([0-9]+))\\.cpp$" place "${SECTION}")
 set(chapter ${CMAKE_MATCH_1})
@@ -20,8 +21,7 @@ string(STRIP "${includes}" includes)
 file(WRITE ${WRAPPER}
   "${includes}\n\nnamespace ${scope}\n{\n#include \"${SECTION}\"  // NOLINT(bugprone-suspicious-include)\n}\n")
 
-# Where ways are raced, those that the section itself holds run as quickly as the library's.
-if(text MATCHES "[^a-z_]race\\(")
+if(text MATCHES "${RACING}")
   file(WRITE ${OPTIONS} "-O2\n")
 else()
   file(WRITE ${OPTIONS} "\n")

@@ -18,7 +18,9 @@ foreach(file IN ITEMS ${DOCUMENTS}/LICENSE ${LIBRARIES}/cmake/euler-on-oscillati
     message(FATAL_ERROR "${file} is not installed")
   endif()
 endforeach()
-must(${CMAKE_COMMAND} -E env --unset=LD_LIBRARY_PATH ${there}/${PROGRAMS}/pendulum-01 --check)
+foreach(program IN ITEMS pendulum-01 pendulum-03)  # one that is a program itself, and one that is compiled together with it
+  must(${CMAKE_COMMAND} -E env --unset=LD_LIBRARY_PATH ${there}/${PROGRAMS}/${program} --check)
+endforeach()
 must(${CMAKE_COMMAND} -S ${CONSUMER} -B ${there}/consumer -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${there}
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS})
 must(${CMAKE_COMMAND} --build ${there}/consumer)

@@ -1,9 +1,7 @@
 // What all programs tell at their defaults, against what stands in tests/told/: a change of the library shows there what
 // it changes in the book. Run with the folder that the book's build captured (build/book/told) and the folder of the
 // record; with a third word, rewrite, the record is made anew (./euler told), with a program's name it alone is compared.
-// Where BOOK_PACKAGES says where the npm packages are, what is told has to follow the schema, too.
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import path from 'node:path';
 
 const [captured, record, third] = process.argv.slice(2);
@@ -39,14 +37,6 @@ function essence(program) {
   };
 }
 
-/** Where what a program tells leaves the schema, as a function of the program. */
-function offSchema(packages) {
-  const Ajv = createRequire(path.join(packages, 'package.json'))('ajv/dist/2020.js').default;
-  const valid = new Ajv({ strict: false }).compile(JSON.parse(readFileSync(new URL('../book/schema/section.json', import.meta.url))));
-  return (program) =>
-    valid(JSON.parse(readFileSync(path.join(captured, `${program}.json`), 'utf8'))) ? [] : [`${program}: ${JSON.stringify(valid.errors)}`];
-}
-
 /** Where two essences differ, as paths; numbers may differ by one unit of the last digit that is kept. */
 function differences(was, is, at = '') {
   if (typeof was === 'number' && typeof is === 'number') {
@@ -71,7 +61,6 @@ if (rewrite) {
     if (!existsSync(file)) return [`${program}: is not recorded; ./euler told does so`];
     return differences(JSON.parse(readFileSync(file, 'utf8')), essence(program)).map((what) => `${program}: ${what}`);
   });
-  if (process.env.BOOK_PACKAGES) faults.push(...programs.flatMap(offSchema(process.env.BOOK_PACKAGES)));
   for (const file of third ? [] : readdirSync(record))
     if (!programs.includes(path.basename(file, '.json'))) faults.push(`${file}: no program tells it any more`);
   for (const fault of faults.slice(0, 40)) console.error(fault);
