@@ -321,8 +321,7 @@ TEST_CASE(
   CHECK(links::handed_on(widened(designed, 0)) == within_relative(Fifty(1), 1e-18, "equal strings"));
   for(const double longer : {0.01, 0.1, -0.2})
     for(const Suspended& s : {designed, plain})
-      CHECK(handed_on(s, longer)
-            == within_relative(links::handed_on(widened(s, longer)), 1e-12, "Eigen's"));
+      CHECK(handed_on(s, longer) == within_relative(links::handed_on(widened(s, longer)), 1e-12, "GSL's"));
 }
 
 TEST_CASE("the cubic in fifty digits has the designed roots, and the shapes that the masses ask for")

@@ -581,8 +581,7 @@ CHECK_THAT("with unequal strings Q has of P's swing what the answer of the four 
   {
     links::Built<Fifty> of = built_exactly();
     of.b1 *= 1 + longer.fifty() / 100;
-    CHECK(now.value("handed_on", percent)
-          == within_relative(links::handed_on(of), 1e-10, "Eigen's solver"));
+    CHECK(now.value("handed_on", percent) == within_relative(links::handed_on(of), 1e-10, "GSL's solver"));
   }
 }
 

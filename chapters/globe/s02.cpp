@@ -1,4 +1,5 @@
 #include "edition/section.hpp"
+#include "globe/rolling.hpp"
 #include "globe/scene.hpp"
 #include "globe/scene_judge.hpp"
 

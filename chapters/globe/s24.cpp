@@ -2,6 +2,7 @@
 #include "globe/asked.hpp"
 #include "globe/ball.hpp"
 #include "globe/readings.hpp"
+#include "globe/rolling.hpp"
 #include "globe/scene.hpp"
 #include "globe/scene_judge.hpp"
 

@@ -33,12 +33,15 @@ $$ M(aa + kk) . \tag{2} $$
 
 A body is a list of elements, each a mass and a place. The centre of gravity and $k$ are sums over them.
 
-::: code pendulum/body.hpp body (1)
+::: code pendulum/body.hpp body
+:::
+
+::: code pendulum/body.cpp body_of (1)
 :::
 
 And so is the moment of inertia about any point, beside which stands Euler's expression for it.
 
-::: code pendulum/body.hpp sum_of_squares
+::: code pendulum/body.cpp sum_of_squares
 :::
 */
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
-#define EIGEN_DONT_VECTORIZE  // sums in one order, and to the same bits, on every processor and in the page
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <gsl/gsl_eigen.h>
 
 #include "balance/systems.hpp"
 
@@ -93,14 +93,52 @@ Fifty polished(const std::array<Fifty, 4>& c, Fifty s)
   return s;
 }
 
-using Solver = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>;
-
-/// The modes by Eigen, which for masses that are none gives ordinary wrong numbers and "success": so they are asked first.
-Solver solved(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass, int wanted)
+/// Symmetric matrices of n rows, one after the other.
+struct Square
 {
-  if(!mass.allFinite() || Eigen::LLT<Eigen::MatrixXd>(mass).info() != Eigen::Success)
+  explicit Square(std::size_t rows) : n(rows), entries(rows * rows) {}
+  double& operator()(std::size_t i, std::size_t j) { return entries[i * n + j]; }
+  gsl_matrix_view view() { return gsl_matrix_view_array(entries.data(), n, n); }
+
+  std::size_t n;
+  std::vector<double> entries;
+};
+
+/// Whether all pivots of a symmetric matrix are above 0.
+bool positive_definite(Square a)
+{
+  for(std::size_t k = 0; k < a.n; ++k)
+  {
+    if(!(a(k, k) > 0 && std::isfinite(a(k, k))))
+      return false;
+    for(std::size_t i = k + 1; i < a.n; ++i)
+      for(std::size_t j = k + 1; j < a.n; ++j)
+        a(i, j) -= a(i, k) * a(k, j) / a(k, k);
+  }
+  return true;
+}
+
+/// The squares of the frequencies, and the shapes in the columns, each of length 1.
+struct Solved
+{
+  std::vector<double> squares;
+  Square shapes;
+};
+
+/// The modes by GSL, which ends the program for masses that are none unless told not to: so they are asked first.
+Solved solved(Square stiffness, Square mass)
+{
+  if(!positive_definite(mass))
     throw std::domain_error("no such balance: its matrix of masses is not positive definite");
-  return Solver(stiffness, mass, wanted);
+  const std::size_t n = mass.n;
+  Solved found{std::vector<double>(n), Square(n)};
+  gsl_vector_view squares = gsl_vector_view_array(found.squares.data(), n);
+  gsl_matrix_view pull = stiffness.view(), moving = mass.view(), shapes = found.shapes.view();
+  const std::unique_ptr<gsl_eigen_gensymmv_workspace, decltype(&gsl_eigen_gensymmv_free)> room(
+      gsl_eigen_gensymmv_alloc(n), &gsl_eigen_gensymmv_free);
+  if(gsl_eigen_gensymmv(&pull.matrix, &moving.matrix, &squares.vector, &shapes.matrix, room.get()) != 0)
+    throw std::domain_error("no such balance: its modes are not to be had");
+  return found;
 }
 
 /// The squares of the frequencies with η = ϑ, in fifty digits, the least first.
@@ -108,28 +146,21 @@ std::vector<Fifty> squares(const Suspended& s)
 {
   check(s);
   const Matrices m = matrices_of(s);
-  const int first = first_of(s), n = 3 - first;
-  Eigen::MatrixXd mass(n, n), stiffness = Eigen::MatrixXd::Zero(n, n);
-  // scaled so that the masses are of order 1
-  std::array<double, 3> scale{};
-  for(int i = first; i < 3; ++i)
-    scale[static_cast<std::size_t>(i)] =
-        static_cast<double>(sqrt(m.mass[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)]));
-  for(int i = 0; i < n; ++i)
+  const int first = first_of(s);
+  const auto left_out = static_cast<std::size_t>(first), n = 3 - left_out;
+  Square mass(n), stiffness(n);
+  const auto scale = [&m](std::size_t x) { return static_cast<double>(sqrt(m.mass[x][x])); };
+  for(std::size_t i = 0; i < n; ++i)  // scaled so that the masses are of order 1
   {
-    const auto x = static_cast<std::size_t>(i) + static_cast<std::size_t>(first);
-    stiffness(i, i) = static_cast<double>(m.stiffness[x]) / scale[x] / scale[x];
-    for(int j = 0; j < n; ++j)
-    {
-      const auto y = static_cast<std::size_t>(j) + static_cast<std::size_t>(first);
-      mass(i, j) = static_cast<double>(m.mass[x][y]) / scale[x] / scale[y];
-    }
+    const std::size_t x = i + left_out;
+    stiffness(i, i) = static_cast<double>(m.stiffness[x]) / scale(x) / scale(x);
+    for(std::size_t j = 0; j < n; ++j)
+      mass(i, j) = static_cast<double>(m.mass[x][j + left_out]) / scale(x) / scale(j + left_out);
   }
-  const Solver solver = solved(stiffness, mass, Eigen::EigenvaluesOnly);
   const auto polynomial = characteristic(m, first);
   std::vector<Fifty> found;
-  for(int i = 0; i < n; ++i)
-    found.push_back(polished(polynomial, solver.eigenvalues()[i]));
+  for(const double square : solved(stiffness, mass).squares)
+    found.push_back(polished(polynomial, square));
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -310,27 +341,38 @@ double handed_on(const Suspended& s, double longer)
         "nothing to hand on: the strings must be positive, and something couple the pans");
   const auto& [a, b, c, kk, L, M, g] = s.beam;
   const double other = b * (1 + longer), h = s.h, weight = M * c + 2 * L * s.e;
-  Eigen::Matrix4d mass;
-  mass << (M + 2 * L) * h * h, weight * h, L * b * h, L * other * h,                             //
-      weight * h, M * (kk + c * c) + 2 * L * (a * a + s.e * s.e), L * b * s.e, L * other * s.e,  //
-      L * b * h, L * b * s.e, L * b * b, 0,                                                      //
-      L * other * h, L * other * s.e, 0, L * other * other;
-  const Eigen::Vector4d stiffness = 2 * g * Eigen::Vector4d((M + 2 * L) * h, weight, L * b, L * other);
-  const Eigen::Vector4d scale = mass.diagonal().cwiseSqrt().cwiseInverse();  // so that all masses are 1
-  const Eigen::MatrixXd unit = scale.asDiagonal() * mass * scale.asDiagonal();
-  const Eigen::MatrixXd pull = stiffness.cwiseProduct(scale.cwiseAbs2()).asDiagonal();
-  const int n = s.movable ? 4 : 3;
-  const Eigen::MatrixXd moving = unit.bottomRightCorner(n, n);
-  const Solver solver =
-      solved(pull.bottomRightCorner(n, n), moving, Eigen::ComputeEigenvectors | Eigen::Ax_lBx);
-  if(solver.info() != Eigen::Success || !(solver.eigenvalues()[0] > 0))
-    throw std::domain_error("no such balance: a mode topples");
-  double sum = 0;
-  for(int k = 0; k < n; ++k)
+  const double masses[4][4] = {
+      {(M + 2 * L) * h * h, weight * h, L * b * h, L * other * h},
+      {weight * h, M * (kk + c * c) + 2 * L * (a * a + s.e * s.e), L * b * s.e, L * other * s.e},
+      {L * b * h, L * b * s.e, L * b * b, 0},
+      {L * other * h, L * other * s.e, 0, L * other * other}};
+  const double pulls[4] = {(M + 2 * L) * h, weight, L * b, L * other};
+  const std::size_t left_out = s.movable ? 0 : 1, n = 4 - left_out;
+  const auto scale = [&masses](std::size_t x) {
+    return std::sqrt(masses[x][x]);
+  };  // so that all masses are 1
+  Square moving(n), pull(n);
+  for(std::size_t i = 0; i < n; ++i)
   {
-    const Eigen::VectorXd shape = solver.eigenvectors().col(k);
-    const double of_P = moving.row(n - 2).dot(shape) / scale[2];
-    sum += std::abs(shape[n - 1] * scale[3] * of_P);
+    const std::size_t x = i + left_out;
+    pull(i, i) = 2 * g * pulls[x] / scale(x) / scale(x);
+    for(std::size_t j = 0; j < n; ++j)
+      moving(i, j) = masses[x][j + left_out] / scale(x) / scale(j + left_out);
+  }
+  Solved modes = solved(pull, moving);
+  double sum = 0;
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    if(!(modes.squares[k] > 0))
+      throw std::domain_error("no such balance: a mode topples");
+    double of_P = 0, of_all = 0;  // with the masses: of P alone, and of the mode with itself
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      of_P += moving(n - 2, i) * modes.shapes(i, k);
+      for(std::size_t j = 0; j < n; ++j)
+        of_all += modes.shapes(i, k) * moving(i, j) * modes.shapes(j, k);
+    }
+    sum += std::abs(modes.shapes(n - 1, k) / scale(3) * of_P * scale(2) / of_all);
   }
   return sum;
 }

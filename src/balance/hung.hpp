@@ -55,7 +55,7 @@ struct Mode
 };
 
 /// The linear modes, the slowest first: four, or three where C is fixed. Frequencies, squares and shapes are right to the
-/// last bit but one for exactly the doubles given: Eigen's solver finds them, fifty digits make them exact.
+/// last bit but one for exactly the doubles given: GSL's solver finds them, fifty digits make them exact.
 /// @throws std::domain_error as numbers_of() does, unless h > 0 (C movable), L > 0 and e is finite, and, in words, where
 /// the mass matrix is not positive definite
 std::vector<Mode> modes(const Suspended& s);
@@ -75,7 +75,7 @@ Transfer transfer(const Suspended& s);
 /// The most that Q can have of the swing of P, which is let go alone, where Q's string is longer than P's by the part
 /// `longer` of it: what the linear modes so excited have of ϑ, signs left aside; 1 where the strings are equal and something
 /// couples them. A motion comes as near to it as one likes if the frequencies have no common measure. Error below 1e-10
-/// for moderate instruments (Eigen's solver alone; tests/balance_linear.cpp).
+/// for moderate instruments (GSL's solver alone; tests/balance_linear.cpp).
 /// @throws std::domain_error as modes() does, unless longer > −1, and where a mode topples or nothing couples the pans
 double handed_on(const Suspended& s, double longer);
 

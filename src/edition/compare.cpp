@@ -36,6 +36,10 @@ Expectation::Expectation(const Fifty& lowest, const Fifty& highest, std::string 
 {
 }
 
+Expectation::Expectation(const Expectation&) = default;
+Expectation::Expectation(Expectation&&) noexcept = default;
+Expectation::~Expectation() = default;
+
 bool Expectation::holds(const Fifty& got, int digits) const
 {
   const Fifty width = highest_ - lowest_;

@@ -24,6 +24,15 @@ public:
   Expectation(const Fifty& lowest, const Fifty& highest, std::string expected, std::string tolerance,
               std::string because);
 
+  /// Compiled once, not anew by every section that makes claims.
+  /// @{
+  Expectation(const Expectation&);
+  Expectation(Expectation&&) noexcept;
+  Expectation& operator=(const Expectation&) = delete;
+  Expectation& operator=(Expectation&&) = delete;
+  ~Expectation();
+  /// @}
+
   /// True when `got` is a number and lies in the interval. Remembers the comparison for the ledger of
   /// claims, what was got with `digits` digits.
   bool holds(const Fifty& got, int digits) const;

@@ -309,3 +309,6 @@ std::string show(double x, int digits)
 }
 
 }  // namespace edition
+
+template class std::vector<edition::Column>;
+template class std::vector<edition::Method>;

@@ -133,3 +133,7 @@ struct Telling
 };
 
 }  // namespace edition
+
+// Compiled once, not by every section.
+extern template class std::vector<edition::Column>;
+extern template class std::vector<edition::Method>;

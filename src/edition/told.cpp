@@ -75,6 +75,10 @@ ToldNumber::ToldNumber(std::string key, const Fifty& exact, std::string text, in
 {
 }
 
+ToldNumber::ToldNumber(const ToldNumber&) = default;
+ToldNumber::ToldNumber(ToldNumber&&) noexcept = default;
+ToldNumber::~ToldNumber() = default;
+
 bool ToldNumber::is(const Expectation& e) const
 {
   look_at(key_, e.is_infinite());
@@ -106,6 +110,12 @@ ToldRow::ToldRow(std::string name, const std::vector<Column>& columns, const std
     : name_(std::move(name)), columns_(columns), cells_(cells)
 {
 }
+
+ToldRow::ToldRow(const ToldRow&) = default;
+ToldRow::ToldRow(ToldRow&&) noexcept = default;
+ToldRow& ToldRow::operator=(const ToldRow&) = default;
+ToldRow& ToldRow::operator=(ToldRow&&) noexcept = default;
+ToldRow::~ToldRow() = default;
 
 std::size_t ToldRow::index_of(const char* column) const
 {

@@ -28,6 +28,14 @@ class ToldNumber
 public:
   /// What `key` was told to be; `exact` has more digits than a double or is the same number.
   ToldNumber(std::string key, const Fifty& exact, std::string text, int digits);
+  /// Compiled once, not anew by every section that makes claims.
+  /// @{
+  ToldNumber(const ToldNumber&);
+  ToldNumber(ToldNumber&&) noexcept;
+  ToldNumber& operator=(const ToldNumber&) = delete;
+  ToldNumber& operator=(ToldNumber&&) = delete;
+  ~ToldNumber();
+  /// @}
 
   /// The claim that it is what is expected. A told whole number or fraction counts as the real number it is.
   friend bool operator==(const ToldNumber& told, const Expectation& e) { return told.is(e); }
@@ -70,6 +78,14 @@ class ToldRow
 public:
   /// Row `index` of `name`.
   ToldRow(std::string name, const std::vector<Column>& columns, const std::vector<Cell>& cells);
+  /// Compiled once, not anew by every section that makes claims.
+  /// @{
+  ToldRow(const ToldRow&);
+  ToldRow(ToldRow&&) noexcept;
+  ToldRow& operator=(const ToldRow&);
+  ToldRow& operator=(ToldRow&&) noexcept;
+  ~ToldRow();
+  /// @}
 
   /// What the column has here, to be compared.
   ToldNumber value(const char* column, Unit unit = none) const;
