@@ -119,19 +119,19 @@ bool positive_definite(Square a)
 }
 
 /// The squares of the frequencies, and the shapes in the columns, each of length 1.
-struct Solved
+struct Small_modes
 {
   std::vector<double> squares;
   Square shapes;
 };
 
 /// The modes by GSL, which ends the program for masses that are none unless told not to: so they are asked first.
-Solved solved(Square stiffness, Square mass)
+Small_modes solved(Square stiffness, Square mass)
 {
   if(!positive_definite(mass))
     throw std::domain_error("no such balance: its matrix of masses is not positive definite");
   const std::size_t n = mass.n;
-  Solved found{std::vector<double>(n), Square(n)};
+  Small_modes found{std::vector<double>(n), Square(n)};
   gsl_vector_view squares = gsl_vector_view_array(found.squares.data(), n);
   gsl_matrix_view pull = stiffness.view(), moving = mass.view(), shapes = found.shapes.view();
   const std::unique_ptr<gsl_eigen_gensymmv_workspace, decltype(&gsl_eigen_gensymmv_free)> room(
@@ -359,7 +359,7 @@ double handed_on(const Suspended& s, double longer)
     for(std::size_t j = 0; j < n; ++j)
       moving(i, j) = masses[x][j + left_out] / scale(x) / scale(j + left_out);
   }
-  Solved modes = solved(pull, moving);
+  Small_modes modes = solved(pull, moving);
   double sum = 0;
   for(std::size_t k = 0; k < n; ++k)
   {
