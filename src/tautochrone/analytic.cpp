@@ -3,6 +3,7 @@
 #include "exact/ode.hpp"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -90,12 +91,21 @@ Analytic place(const Fifty& kappa, const Fifty& S, const Fifty& h, const Fifty& 
   return {S, 2 * asin(sqrt(h / 2)), (1 + kappa) * S / dh_dS, (1 + kappa) / 2 * S * S};
 }
 
-// y at t1, where the curve gets there.
-Fifty followed(const exact::RightSide& f, const Fifty& t0, const Fifty& y0, const Fifty& t1)
+// d(dh/dS)/dS: the square of slope_of_h() differentiated, which takes no root at every step; no number where dh/dS has
+// come to an end.
+Fifty bend_of_h(const Fifty& kappa, const Fifty& h, const Fifty& S, const Fifty& slope)
+{
+  if(!(slope > 0))
+    return std::numeric_limits<double>::quiet_NaN();
+  return (1 + kappa) * (1 + kappa) / kappa * (1 - h - S / slope);
+}
+
+// y[0] at t1, where the curve gets there.
+Fifty followed(const exact::RightSide& f, const Fifty& t0, const State& y0, const Fifty& t1)
 {
   try
   {
-    return solve(f, t0, {y0}, t1, Fifty("1e-36")).y[0];
+    return solve(f, t0, y0, t1, Fifty("1e-36")).y[0];
   }
   catch(const std::runtime_error&)
   {
@@ -180,8 +190,11 @@ Analytic analytic_at_arc(const Fifty& kappa, const Fifty& S)
     const auto [h, slope] = sums(series, S * S);
     return place(kappa, S, h, 2 * S * slope);
   }
-  const auto f = [&](const Fifty& at, const State& h) { return State{slope_of_h(kappa, h[0], at)}; };
-  const Fifty h = followed(f, sqrt(series.reach2), sums(series, series.reach2).first, S);
+  const auto f = [&](const Fifty& at, const State& y) {  // h and dh/dS
+    return State{y[1], bend_of_h(kappa, y[0], at, y[1])};
+  };
+  const Fifty from = sqrt(series.reach2), h_from = sums(series, series.reach2).first;
+  const Fifty h = followed(f, from, {h_from, slope_of_h(kappa, h_from, from)}, S);
   return place(kappa, S, h, slope_of_h(kappa, h, S));
 }
 
@@ -207,8 +220,12 @@ Analytic analytic_at_angle(const Fifty& kappa, const Fifty& phi)
     }
     return place(kappa, sqrt(SS), h, 2 * sqrt(SS) * sums(series, SS).second);
   }
-  const auto f = [&](const Fifty& at, const State& S) { return State{1 / slope_of_h(kappa, at, S[0])}; };
-  const Fifty S = followed(f, h_of_series, sqrt(series.reach2), h);
+  const auto f = [&](const Fifty& at, const State& y) {  // S and dh/dS
+    const Fifty steep = 1 / y[1];
+    return State{steep, steep * bend_of_h(kappa, at, y[0], y[1])};
+  };
+  const Fifty from = sqrt(series.reach2);
+  const Fifty S = followed(f, h_of_series, {from, slope_of_h(kappa, h_of_series, from)}, h);
   return place(kappa, S, h, slope_of_h(kappa, h, S));
 }
 
