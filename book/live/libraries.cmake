@@ -40,8 +40,10 @@ endfunction()
 set(gsl_parts err/error err/message err/stream err/strerror
   ode-initval2/control ode-initval2/cscal ode-initval2/cstd ode-initval2/driver ode-initval2/evolve ode-initval2/rk8pd
   ode-initval2/rkf45 ode-initval2/bsimp ode-initval2/step ode-initval2/msadams ode-initval2/msbdf
+  eigen/gensymm eigen/gensymmv eigen/symm eigen/symmv linalg/cholesky linalg/householder linalg/symmtd
   linalg/lu permutation/init permutation/permutation permutation/permute blas/blas block/init
-  cblas/daxpy cblas/dcopy cblas/ddot cblas/dgemm cblas/dgemv cblas/dger cblas/dnrm2 cblas/dscal cblas/dswap cblas/dtrsm cblas/dtrsv
+  cblas/daxpy cblas/dcopy cblas/ddot cblas/dgemm cblas/dgemv cblas/dger cblas/dnrm2 cblas/dscal cblas/dswap
+  cblas/dsymm cblas/dsymv cblas/dsyr2 cblas/dsyr2k cblas/dsyrk cblas/dtrsm cblas/dtrsv
   cblas/idamax cblas/xerbla vector/init vector/vector vector/copy vector/oper vector/subvector vector/swap vector/view
   matrix/init matrix/matrix matrix/copy matrix/oper matrix/rowcol matrix/submatrix matrix/swap matrix/view
   integration/glfixed integration/fixed integration/legendre integration/qags integration/qag integration/workspace
