@@ -118,26 +118,47 @@ bool positive_definite(Square a)
   return true;
 }
 
-/// The squares of the frequencies, and the shapes in the columns, each of length 1.
+/// The squares of the frequencies, and the shapes in the columns, the mass of each being 1.
 struct Small_modes
 {
   std::vector<double> squares;
   Square shapes;
 };
 
-/// The modes by GSL, which ends the program for masses that are none unless told not to: so they are asked first.
-Small_modes solved(Square stiffness, Square mass)
+/// The modes of these stiffnesses, one a coordinate, by GSL, which ends the program for masses that are none unless told not
+/// to: so they are asked first. It gets them scaled so that all masses on the diagonal are 1.
+Small_modes solved(const std::vector<double>& stiffness, Square mass)
 {
+  const std::size_t n = mass.n;
+  std::vector<double> scale(n);
+  for(std::size_t i = 0; i < n; ++i)
+    scale[i] = std::sqrt(mass(i, i));
+  Square pull(n);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    pull(i, i) = stiffness[i] / scale[i] / scale[i];
+    for(std::size_t j = 0; j < n; ++j)
+      mass(i, j) = mass(i, j) / scale[i] / scale[j];
+  }
   if(!positive_definite(mass))
     throw std::domain_error("no such balance: its matrix of masses is not positive definite");
-  const std::size_t n = mass.n;
   Small_modes found{std::vector<double>(n), Square(n)};
+  Square spent = mass;  // GSL writes over what it is given
   gsl_vector_view squares = gsl_vector_view_array(found.squares.data(), n);
-  gsl_matrix_view pull = stiffness.view(), moving = mass.view(), shapes = found.shapes.view();
+  gsl_matrix_view pulls = pull.view(), masses = spent.view(), shapes = found.shapes.view();
   const std::unique_ptr<gsl_eigen_gensymmv_workspace, decltype(&gsl_eigen_gensymmv_free)> room(
       gsl_eigen_gensymmv_alloc(n), &gsl_eigen_gensymmv_free);
-  if(gsl_eigen_gensymmv(&pull.matrix, &moving.matrix, &squares.vector, &shapes.matrix, room.get()) != 0)
+  if(gsl_eigen_gensymmv(&pulls.matrix, &masses.matrix, &squares.vector, &shapes.matrix, room.get()) != 0)
     throw std::domain_error("no such balance: its modes are not to be had");
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    double of_all = 0;
+    for(std::size_t i = 0; i < n; ++i)
+      for(std::size_t j = 0; j < n; ++j)
+        of_all += found.shapes(i, k) * mass(i, j) * found.shapes(j, k);
+    for(std::size_t i = 0; i < n; ++i)
+      found.shapes(i, k) /= std::sqrt(of_all) * scale[i];
+  }
   return found;
 }
 
@@ -148,14 +169,13 @@ std::vector<Fifty> squares(const Suspended& s)
   const Matrices m = matrices_of(s);
   const int first = first_of(s);
   const auto left_out = static_cast<std::size_t>(first), n = 3 - left_out;
-  Square mass(n), stiffness(n);
-  const auto scale = [&m](std::size_t x) { return static_cast<double>(sqrt(m.mass[x][x])); };
-  for(std::size_t i = 0; i < n; ++i)  // scaled so that the masses are of order 1
+  Square mass(n);
+  std::vector<double> stiffness(n);
+  for(std::size_t i = 0; i < n; ++i)
   {
-    const std::size_t x = i + left_out;
-    stiffness(i, i) = static_cast<double>(m.stiffness[x]) / scale(x) / scale(x);
+    stiffness[i] = static_cast<double>(m.stiffness[i + left_out]);
     for(std::size_t j = 0; j < n; ++j)
-      mass(i, j) = static_cast<double>(m.mass[x][j + left_out]) / scale(x) / scale(j + left_out);
+      mass(i, j) = static_cast<double>(m.mass[i + left_out][j + left_out]);
   }
   const auto polynomial = characteristic(m, first);
   std::vector<Fifty> found;
@@ -348,31 +368,24 @@ double handed_on(const Suspended& s, double longer)
       {L * other * h, L * other * s.e, 0, L * other * other}};
   const double pulls[4] = {(M + 2 * L) * h, weight, L * b, L * other};
   const std::size_t left_out = s.movable ? 0 : 1, n = 4 - left_out;
-  const auto scale = [&masses](std::size_t x) {
-    return std::sqrt(masses[x][x]);
-  };  // so that all masses are 1
-  Square moving(n), pull(n);
+  Square mass(n);
+  std::vector<double> stiffness(n);
   for(std::size_t i = 0; i < n; ++i)
   {
-    const std::size_t x = i + left_out;
-    pull(i, i) = 2 * g * pulls[x] / scale(x) / scale(x);
+    stiffness[i] = 2 * g * pulls[i + left_out];
     for(std::size_t j = 0; j < n; ++j)
-      moving(i, j) = masses[x][j + left_out] / scale(x) / scale(j + left_out);
+      mass(i, j) = masses[i + left_out][j + left_out];
   }
-  Small_modes modes = solved(pull, moving);
+  Small_modes modes = solved(stiffness, mass);
   double sum = 0;
   for(std::size_t k = 0; k < n; ++k)
   {
     if(!(modes.squares[k] > 0))
       throw std::domain_error("no such balance: a mode topples");
-    double of_P = 0, of_all = 0;  // with the masses: of P alone, and of the mode with itself
+    double of_P = 0;
     for(std::size_t i = 0; i < n; ++i)
-    {
-      of_P += moving(n - 2, i) * modes.shapes(i, k);
-      for(std::size_t j = 0; j < n; ++j)
-        of_all += modes.shapes(i, k) * moving(i, j) * modes.shapes(j, k);
-    }
-    sum += std::abs(modes.shapes(n - 1, k) / scale(3) * of_P * scale(2) / of_all);
+      of_P += mass(n - 2, i) * modes.shapes(i, k);
+    sum += std::abs(modes.shapes(n - 1, k) * of_P);
   }
   return sum;
 }
