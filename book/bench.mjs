@@ -10,7 +10,9 @@ const [build, speeds] = process.argv.slice(2);
 const bin = path.join(build, 'bin');
 const run = (program, ...options) =>
   JSON.parse(execFileSync(path.join(bin, program), options, { encoding: 'utf8' }));
-const { compiler, flags } = JSON.parse(fs.readFileSync(path.join(build, 'book/made-with.json'), 'utf8'));
+const { compiler, flags, 'sections compiled by': forSections } = JSON.parse(
+  fs.readFileSync(path.join(build, 'book/made-with.json'), 'utf8'),
+);
 const recorded = new Set();
 const record = (name, measured) => {
   const made = {
@@ -36,6 +38,7 @@ for (const program of fs
   .sort())
   if (run(program, '--json').races.length)
     record(program, {
+      compiler: forSections === compiler ? compiler : `${forSections}, the library with ${compiler}`,
       races: run(program, '--bench', '--json').races.map(({ name, methods }) => ({
         name,
         methods: methods.map(short),

@@ -1,8 +1,8 @@
 # Writes, for each of the SECTIONS, say pendulum/s09.cpp, what is compiled for it: a file of the same name in the folder INTO,
 # with the section's includes, and then the section in the namespace pendulum_09. SECTION() must name the file's own place.
-# Writes OPTIONS too, with which they are compiled besides: RACING tells by its text a section that races ways.
+# What is as it was is not written. RACING tells by its text a section that races ways; those that did when the build was
+# configured are TIMED, and where that has changed REGROUP is touched, upon which the next build is configured anew.
 cmake_minimum_required(VERSION 3.22)
-set(options "")
 foreach(section IN LISTS SECTIONS)
   string(REGEX MATCH "^([a-z]+)/s(0?([0-9]+))\\.cpp$" place "${section}")
   set(chapter ${CMAKE_MATCH_1})
@@ -20,10 +20,28 @@ foreach(section IN LISTS SECTIONS)
   string(REGEX MATCHALL "\n#include[^\n]*" includes "${text}")
   list(JOIN includes "" includes)
   string(STRIP "${includes}" includes)
-  file(WRITE ${INTO}/${section}
-    "${includes}\n\nnamespace ${scope}\n{\n#include \"${section}\"  // NOLINT(bugprone-suspicious-include)\n}\n")
+  set(wrapped "${includes}\n\nnamespace ${scope}\n{\n#include \"${section}\"  // NOLINT(bugprone-suspicious-include)\n}\n")
+  set(before)
+  if(EXISTS ${INTO}/${section})
+    file(READ ${INTO}/${section} before)
+  endif()
+  if(NOT wrapped STREQUAL before)
+    file(WRITE ${INTO}/${section} "${wrapped}")
+  endif()
+
+  set(races OFF)
   if(text MATCHES "${RACING}")
-    set(options "-O2")
+    set(races ON)
+  endif()
+  set(timed OFF)
+  if(section IN_LIST TIMED)
+    set(timed ON)
+  endif()
+  if(NOT races STREQUAL timed)
+    string(APPEND changed " chapters/${section}")
   endif()
 endforeach()
-file(WRITE ${OPTIONS} "${options}\n")
+if(changed)
+  file(TOUCH ${REGROUP})
+  message(FATAL_ERROR "${changed}: begun to race ways, or ceased; build once more, and it is compiled accordingly")
+endif()

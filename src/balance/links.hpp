@@ -103,20 +103,26 @@ struct Built
     Equations<Number> all{};
     const auto weight = weights();
     const auto made_of = bodies();
+    std::array<Number, 4> s, c;  // the angles' sines and cosines; of differences, by the addition theorem
+    for(std::size_t k{0}; k < 4; ++k)
+    {
+      s[k] = sin(at.q[k]);
+      c[k] = cos(at.q[k]);
+    }
     for(std::size_t body{0}; body < 3; ++body)
       for(const Link& i : made_of[body])
       {
-        const Number across = i.quarter == 0 ? sin(at.q[i.k]) : Number(i.quarter) * cos(at.q[i.k]);
+        const Number across = i.quarter == 0 ? s[i.k] : Number(i.quarter) * c[i.k];
         all[i.k][4] -= weight[body] * i.l * G * across;
         for(const Link& j : made_of[body])
         {
-          const Number x = at.q[j.k] - at.q[i.k], both = weight[body] * i.l * j.l;
+          const Number sine = s[j.k] * c[i.k] - c[j.k] * s[i.k], cosine = c[j.k] * c[i.k] + s[j.k] * s[i.k];
+          const Number both = weight[body] * i.l * j.l;
           const int quarter = j.quarter - i.quarter;  // of the difference, from −2 to 2
           const bool even = quarter % 2 == 0;
           const Number turn = even ? 1 - std::abs(quarter) : quarter;
-          all[i.k][j.k] += both * (even ? Number(turn * cos(x)) : Number(-turn * sin(x)));
-          all[i.k][4] +=
-              both * (even ? Number(turn * sin(x)) : Number(turn * cos(x))) * at.v[j.k] * at.v[j.k];
+          all[i.k][j.k] += both * (even ? Number(turn * cosine) : Number(-turn * sine));
+          all[i.k][4] += both * (even ? Number(turn * sine) : Number(turn * cosine)) * at.v[j.k] * at.v[j.k];
         }
       }
     all[1][1] += M * kk;

@@ -256,12 +256,7 @@ void race(const char* name, const char* quantity, const Fifty& exact, const std:
     const double relative = static_cast<double>(abs((Fifty(value) - exact) / exact));
     told_race.methods.push_back(
         {m.name, m.family, value, exact::ulps(value, exact), relative, NAN, NAN, NAN});
-    entrants.push_back({m.name,
-                        [&m] {
-                          for(std::size_t i = 0; i < evaluations; ++i)
-                            ::race::keep(m.evaluate());
-                        },
-                        evaluations});
+    entrants.push_back(::race::of_function(m.name, m.evaluate, evaluations));
   }
   if(section().wanted.timing)
   {

@@ -14,6 +14,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace exact
 {
@@ -157,13 +158,9 @@ SineCosine sine_and_cosine(const Real& x)
   return {from * cosine + at.cosine * sine, at.cosine * cosine - from * sine};
 }
 
-// NaN where the sine is not known.
-SineCosine sine_and_cosine_of_any(const Fifty& x)
+SineCosine turned_back(const Real& x)
 {
-  static const Fifty limit("1e45");
-  if(!(abs(x) < limit))
-    return {real(nan()), real(nan())};
-  const auto [rest, quarters] = turned(real(x));
+  const auto [rest, quarters] = turned(x);
   const auto [sine, cosine] = sine_and_cosine(rest);
   switch(quarters)
   {
@@ -176,6 +173,26 @@ SineCosine sine_and_cosine_of_any(const Fifty& x)
     default:
       return {-cosine, sine};
   }
+}
+
+// NaN where the sine is not known. Whoever wants an angle's sine wants mostly its cosine too, and of its half both: the last
+// two angles are remembered. Zero is not, since it may have a sign.
+SineCosine sine_and_cosine_of_any(const Fifty& x)
+{
+  struct Remembered
+  {
+    Fifty x = 0;
+    SineCosine of;
+  };
+  thread_local std::array<Remembered, 2> last;
+  static const Fifty limit("1e45");
+  if(!(abs(x) < limit))
+    return {real(nan()), real(nan())};
+  for(const Remembered& one : last)
+    if(one.x == x && x != 0)
+      return one.of;
+  last[1] = std::exchange(last[0], {x, turned_back(real(x))});
+  return last[0].of;
 }
 
 // The angle of a point between the axis of x and the diagonal, 0 <= y <= x: turned back by the multiple of 1/32 that two

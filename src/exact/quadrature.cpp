@@ -1,6 +1,7 @@
 #include "exact/quadrature.hpp"
 
 #include <stdexcept>
+#include <vector>
 
 namespace exact
 {
@@ -21,6 +22,24 @@ Node node(const Fifty& t)
   return {2 * q / (1 + q), 2 * pi() * cosh(t) * q / ((1 + q) * (1 + q))};
 }
 
+constexpr double last_t = 5.68;  // where 1 - x is 1e-200
+constexpr int levels = 9;
+
+// Those of level 0, at t = 1, 2, ...; of a later one those that lie halfway between its forerunners'. They cost as much as
+// most integrands, and are the same for all: each thread makes a level once, when it first asks for it.
+const std::vector<Node>& nodes(int level)
+{
+  thread_local std::vector<Node> made[levels + 1];
+  std::vector<Node>& of = made[level];
+  if(of.empty())
+  {
+    const Fifty h = ldexp(Fifty(1), -level);
+    for(Fifty t = h; t < last_t; t += level == 0 ? h : 2 * h)
+      of.push_back(node(t));
+  }
+  return of;
+}
+
 }  // namespace
 
 Integral integrate_from_ends(const std::function<Fifty(const Fifty&, const Fifty&)>& f, const Fifty& a,
@@ -30,8 +49,6 @@ Integral integrate_from_ends(const std::function<Fifty(const Fifty&, const Fifty
   {
     throw std::domain_error("an integral needs finite ends");
   }
-  constexpr double last_t = 5.68;  // where 1 - x is 1e-200
-  constexpr int levels = 9;
   const Fifty half = (b - a) / 2;
   Integral result;
   Fifty sum, size;  // of f and of |f|, over all nodes so far
@@ -50,9 +67,8 @@ Integral integrate_from_ends(const std::function<Fifty(const Fifty&, const Fifty
   for(int level = 0; level <= levels; ++level)
   {
     const Fifty h = ldexp(Fifty(1), -level);
-    for(Fifty t = h; t < last_t; t += level == 0 ? h : 2 * h)
+    for(const auto& [c, weight] : nodes(level))
     {
-      const auto [c, weight] = node(t);
       add(a + half * c, -half * c, weight);
       add(b - half * c, half * c, weight);
     }

@@ -39,7 +39,7 @@ public:
   Fifty rate(const Fifty& y) const
   {
     const Fifty sh = sinh(y), chch = 1 + sh * sh;
-    return sqrt(moment_(most_ * (sh * sh / chch), rest(sh) / chch)) / sqrt(b(sh));
+    return sqrt(moment_(most_ * (sh * sh / chch), rest(sh) / chch) / b(sh));
   }
 
   Fifty to(const Fifty& end) const

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace race
 {
@@ -45,6 +46,17 @@ double spread(std::vector<double> x)
 }
 
 }  // namespace
+
+Entrant of_function(std::string name, const std::function<double()>& function, std::size_t evaluations)
+{
+  if(!function)
+    return {std::move(name), {}, evaluations};
+  const auto run = [function, evaluations] {
+    for(std::size_t i = 0; i < evaluations; ++i)
+      keep(function());
+  };
+  return {std::move(name), run, evaluations};
+}
 
 double median(std::vector<double> x)
 {

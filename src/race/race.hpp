@@ -23,6 +23,10 @@ struct Entrant
   std::size_t evaluations;    ///< how many evaluations one call of `run` makes, at least 1
 };
 
+/// A function that is evaluated so many times in one call of `run`; its results are kept(). Without a function, or with no
+/// evaluations, run() throws.
+Entrant of_function(std::string name, const std::function<double()>& function, std::size_t evaluations);
+
 /// How long a race lasts.
 struct Options
 {
