@@ -276,6 +276,27 @@ TEST_CASE("a sine knows its angle, far out and beside a multiple of pi")
   }
 }
 
+TEST_CASE("a sine is the same whichever angles were asked before")
+{
+  const std::vector<Fifty> angles{Fifty("0.3"),   Fifty("-0.3"), Fifty("0.15"),
+                                  Fifty("1e-30"), Fifty("7e9"),  pi()};
+  std::vector<Fifty> sines, cosines;
+  for(const Fifty& x : angles)
+    sines.push_back(sin(x));
+  for(const Fifty& x : angles)
+    cosines.push_back(cos(x));
+  for(std::size_t i = 0; i < angles.size(); ++i)
+    for(std::size_t j = 0; j < angles.size(); ++j)
+    {
+      CHECK(sin(angles[i]) == sines[i]);
+      CHECK(cos(angles[j]) == cosines[j]);
+      CHECK(cos(angles[i]) == cosines[i]);
+      CHECK(sin(angles[j]) == sines[j]);
+    }
+  CHECK(sin(Fifty(0)).str(3) == "0");
+  CHECK(sin(-Fifty(0)).str(3) == (-Fifty(0)).str(3));
+}
+
 TEST_CASE("sine and cosine are those of three times the digits, between the places of the table and far "
           "from them")
 {

@@ -1,7 +1,7 @@
 # Of the C library's mathematical functions the programs and libraries call none but those that elementary/names.cpp gives
 # another meaning, and those that are exact or rounded by definition: the others have other bits on other machines and in the page.
 cmake_minimum_required(VERSION 3.22)
-set(exact ceil copysign fabs floor fma fmax fmin fmod frexp ilogb ldexp llround logb lround modf nearbyint nextafter remainder rint
+set(exact ceil copysign fabs floor fma fmax fmin fmod frexp ilogb ldexp llround logb lround modf nan nearbyint nextafter remainder rint
   round scalbln scalbn sqrt trunc)
 # Boost begins roots and angles of fifty digits with a guess by these; the digits are its own.
 set(guesses asinl atanf frexpf frexpl ldexpf ldexpl)

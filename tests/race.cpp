@@ -36,10 +36,25 @@ TEST_CASE("the fastest round is no slower than the median, and both are positive
   }
 }
 
+TEST_CASE("a function is evaluated as often as its entrant says")
+{
+  int calls = 0;
+  const race::Entrant entrant = race::of_function(
+      "counts", [&] { return double(++calls); }, 64);
+  CHECK(entrant.name == "counts");
+  CHECK(entrant.evaluations == 64);
+  entrant.run();
+  CHECK(calls == 64);
+}
+
 TEST_CASE("a race without rounds or with an entrant that does nothing is refused")
 {
   CHECK_THROWS_AS(race::run({{"none", [] {}, 0}}), std::invalid_argument);
   CHECK_THROWS_AS(race::run({{"empty", nullptr, 1}}), std::invalid_argument);
+  CHECK_THROWS_AS(race::run({race::of_function("empty", nullptr, 1)}), std::invalid_argument);
+  CHECK_THROWS_AS(race::run({race::of_function(
+                      "none", [] { return 1.; }, 0)}),
+                  std::invalid_argument);
   CHECK_THROWS_AS(race::run({{"a", [] {}, 1}}, {0, 1e-3}), std::invalid_argument);
   CHECK(race::run({}).empty());
 }

@@ -122,7 +122,8 @@ struct Built
           const bool even = quarter % 2 == 0;
           const Number turn = even ? 1 - std::abs(quarter) : quarter;
           all[i.k][j.k] += both * (even ? Number(turn * cosine) : Number(-turn * sine));
-          all[i.k][4] += both * (even ? Number(turn * sine) : Number(turn * cosine)) * at.v[j.k] * at.v[j.k];
+          all[i.k][4] +=
+              both * (even ? Number(turn * sine) : Number(turn * cosine)) * at.v[j.k] * at.v[j.k];
         }
       }
     all[1][1] += M * kk;

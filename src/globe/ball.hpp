@@ -83,6 +83,14 @@ Ball<Real> in_own_measure(const Ball<Real>& ball)
   return {ball.a / unit, ball.c / unit, ball.k / unit, ball.gap / unit};
 }
 
+/// The versed sine 1 − cos Φ from s = sin Φ and u = cos Φ, without a difference where it is small. Error: 2 ulps besides what
+/// theirs make.
+template <class Real>
+Real versed_sine(const Real& s, const Real& u)
+{
+  return u > 0 ? Real(s * s / (1 + u)) : Real(1 - u);
+}
+
 /// The accelerations of G and of the angle, and what the plane bears.
 template <class Real>
 struct Accelerations
@@ -106,8 +114,9 @@ Accelerations<Real> accelerations(const Ball<Real>& ball, const Real& g, const R
 {
   using std::cos, std::sin;
   const auto& [a, c, k, gap] = ball;
-  const Real s = sin(Phi), u = cos(Phi), half = sin(Phi / 2);
-  const Real arm = lambda * (gap + 2 * c * half * half) - c * s;  // of Π and its friction together, about G
+  const Real s = sin(Phi), u = cos(Phi);
+  const Real arm =
+      lambda * (gap + c * versed_sine(s, u)) - c * s;  // of Π and its friction together, about G
   const Real pressure = k * k * (1 + c * w * w * u / (2 * g)) / (k * k - c * s * arm);
   return {-2 * g * lambda * pressure, 2 * g * (pressure - 1), 2 * g * pressure * arm / (k * k), pressure};
 }
@@ -122,9 +131,9 @@ Accelerations<Real> rolling_accelerations(const Ball<Real>& ball, const Real& g,
 {
   using std::cos, std::sin;
   const auto& [a, c, k, gap] = ball;
-  const Real s = sin(Phi), u = cos(Phi), half = sin(Phi / 2);
-  const Real turning = -(2 * g * c + a * c * w * w) * s / (bb(ball) + 4 * a * c * half * half);
-  const Real x = turning * (gap + 2 * c * half * half) + c * w * w * s, y = c * turning * s + c * w * w * u;
+  const Real s = sin(Phi), u = cos(Phi), versed = versed_sine(s, u);
+  const Real turning = -(2 * g * c + a * c * w * w) * s / (bb(ball) + 2 * a * c * versed);
+  const Real x = turning * (gap + c * versed) + c * w * w * s, y = c * turning * s + c * w * w * u;
   return {x, y, turning, 1 + y / (2 * g)};
 }
 
