@@ -176,12 +176,12 @@ SineCosine turned_back(const Real& x)
 }
 
 // NaN where the sine is not known. Whoever wants an angle's sine wants mostly its cosine too, and of its half both: the last
-// two angles are remembered. Zero is not, since it may have a sign.
+// two angles are remembered.
 SineCosine sine_and_cosine_of_any(const Fifty& x)
 {
   struct Remembered
   {
-    Fifty x = 0;
+    Fifty x = nan();
     SineCosine of;
   };
   thread_local std::array<Remembered, 2> last;
@@ -189,7 +189,7 @@ SineCosine sine_and_cosine_of_any(const Fifty& x)
   if(!(abs(x) < limit))
     return {real(nan()), real(nan())};
   for(const Remembered& one : last)
-    if(one.x == x && x != 0)
+    if(one.x == x)
       return one.of;
   last[1] = std::exchange(last[0], {x, turned_back(real(x))});
   return last[0].of;
